@@ -10,6 +10,7 @@
 #include "engines/engine.hpp"
 #include "engines/engine_texts.hpp"
 #include "external/external_collider.hpp"
+#include "external/timed_world.hpp"
 
 namespace manifuzz {
 namespace {
@@ -33,20 +34,29 @@ EngineCollider collider_from(const JsonView& object) {
   return collider;
 }
 
+EngineTimedWorld world_from(const JsonView& object) {
+  object.expect_keys({"name", "library"});
+  return {std::string(object.at("name").string()), std::string(object.at("library").string())};
+}
+
 AskedEngine engine_from(const EngineText& text) {
   const JsonTree tree = parse_json(text.json);
   const JsonView object(tree);
-  object.expect_keys(
-      {"version", "cited_as", "descends_from", "needs", "tools", "package", "colliders"});
+  object.expect_keys({"version", "cited_as", "descends_from", "needs", "tools", "package",
+                      "colliders", "timed_worlds"});
   AskedEngine engine{.name = std::string(text.name),
                      .version = std::string(object.at("version").string()),
                      .cited_as = object.string_or("cited_as", fmt::format("{} {{}}", text.name)),
                      .needs = object.string_or("needs", ""),
                      .tools = object.string_or("tools", ""),
                      .package = object.string_or("package", ""),
-                     .colliders = {}};
+                     .colliders = {},
+                     .timed_worlds = {}};
   for (const JsonView& one : object.at("colliders").elements()) {
     engine.colliders.push_back(collider_from(one));
+  }
+  if (const auto worlds = object.find("timed_worlds")) {
+    for (const JsonView& one : worlds->elements()) engine.timed_worlds.push_back(world_from(one));
   }
   return engine;
 }
@@ -118,6 +128,17 @@ std::optional<std::string> library_of_installed(std::string_view collider) {
   const auto found = find_asked(collider);
   if (!found || found->asked->is_built || found->asked->is_linked) return std::nullopt;
   return library_of(*found->engine, *found->asked);
+}
+
+std::vector<EngineTimedWorld> installed_timed_worlds() {
+  std::vector<EngineTimedWorld> installed;
+  for (const AskedEngine& engine : asked_engines()) {
+    for (const EngineTimedWorld& world : engine.timed_worlds) {
+      const std::string library = in_folder(world.library, folder_of(engine));
+      if (has_timed_worlds(library)) installed.push_back({world.name, library});
+    }
+  }
+  return installed;
 }
 
 Collider collider_of(const AskedEngine& engine, const EngineCollider& asked) {

@@ -23,6 +23,12 @@ struct EngineCollider {
   double seconds_max = 1;  ///< over a case
 };
 
+/// A world that an engine's shared library has, after manifuzz_timed_world.h.
+struct EngineTimedWorld {
+  std::string name;     ///< as the library knows it
+  std::string library;  ///< its path
+};
+
 /// An engine's engine.json.
 struct AskedEngine {
   std::string name;      ///< its folder's
@@ -32,6 +38,7 @@ struct AskedEngine {
   std::string tools;     ///< with what scripts/setup --engines can get that
   std::string package;   ///< Debian's, that it is built with
   std::vector<EngineCollider> colliders;
+  std::vector<EngineTimedWorld> timed_worlds;  ///< for scenes to be held against
 };
 
 /// Every engine in oracle/, whether built or not, in the order of oracle/engines.txt.
@@ -54,6 +61,9 @@ std::string library_of(const AskedEngine& engine, const EngineCollider& asked);
 /// The shared library of an engine's collider of that name that no build makes; nothing where there
 /// is none such. Throws UserError where it is not there, and where it is asked as a program.
 std::optional<std::string> library_of_installed(std::string_view collider);
+
+/// The engines' worlds whose libraries are there, each with its library's path.
+std::vector<EngineTimedWorld> installed_timed_worlds();
 
 /// Why the build left it out: one line for people.
 std::string left_out(std::string_view name, const AskedEngine& engine);

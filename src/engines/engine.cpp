@@ -18,11 +18,11 @@ std::vector<LedgerRow> rows_but_for(std::initializer_list<std::string_view> caus
   return others;
 }
 
-const SceneBaseline& scene_baseline() {
+const Engine& scene_engine() {
   const auto has_scenes = [](const Engine& engine) { return engine.scenes.pairs != nullptr; };
   const auto found = std::ranges::find_if(built_engines(), has_scenes);
   assert(found != built_engines().end());
-  return found->scenes;
+  return *found;
 }
 
 }  // namespace manifuzz

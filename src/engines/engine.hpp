@@ -95,6 +95,6 @@ struct Engine {
 std::span<const Engine> built_engines();
 
 /// The first of them that has a baseline for scenes.
-const SceneBaseline& scene_baseline();
+const Engine& scene_engine();
 
 }  // namespace manifuzz

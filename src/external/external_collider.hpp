@@ -22,6 +22,10 @@ namespace manifuzz {
 /// A body as manifuzz_collider.h has it.
 manifuzz_body c_body(const Body& body);
 
+/// A shared library, loaded into this process for good. Throws UserError that says why it cannot
+/// be.
+void* open_library(const std::string& path);
+
 /// What came of a call of `manifuzz_collide`.
 struct LibraryCall {
   int status = 0;  ///< what it returned

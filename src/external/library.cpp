@@ -100,7 +100,7 @@ std::string text_of(const char* text) {
 
 }  // namespace
 
-Library::Library(const std::string& path) {
+void* open_library(const std::string& path) {
   // dlopen searches elsewhere for a name without a slash.
   const std::string file = path.find('/') == std::string::npos ? "./" + path : path;
   const CallWatch loading;
@@ -114,6 +114,11 @@ Library::Library(const std::string& path) {
     throw UserError(
         fmt::format("{}: cannot be loaded: {}", printable(path, 200), printable(dlerror(), 300)));
   }
+  return library;
+}
+
+Library::Library(const std::string& path) {
+  void* const library = open_library(path);
   const void* const declared = dlsym(library, "manifuzz_collider");
   collide_ = reinterpret_cast<decltype(collide_)>(dlsym(library, "manifuzz_collide"));
   if (declared == nullptr || collide_ == nullptr) {

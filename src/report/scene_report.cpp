@@ -14,12 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Points = std::vector<std::pair<double, double>>;
 
-constexpr std::string_view kFrameStyle =
-    ".body { fill: #cfe0f0; stroke: #1f4e79; stroke-width: 1 }\n"
-    ".paper { fill: #ffffff }\n"
-    ".contact { fill: #c0392b }\n"
-    ".normal { stroke: #c0392b; stroke-width: 1.5 }\n";
-
 double ratio(std::size_t part, std::size_t all) {
   return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, all));
 }
@@ -44,7 +38,16 @@ std::vector<std::pair<std::string, Points>> times_by_scene(const std::vector<Sce
   return times;
 }
 
-Json row_json(const SceneRun& run) {
+/// In the order of the rows.
+std::vector<BaselineRun> baselines(const SceneRun& run) {
+  std::vector<BaselineRun> all{run.over_all};
+  all.insert(all.end(), run.over_worlds.begin(), run.over_worlds.end());
+  all.push_back(run.over_afresh);
+  return all;
+}
+
+/// A row has all of the run: whoever reads any row of it reads no less than from another.
+Json row_json(const SceneRun& run, const BaselineRun& baseline) {
   const scene::StepCounts& counts = run.counts;
   Json json{{"scene", run.scene},
             {"bodies", run.bodies},
@@ -55,11 +58,15 @@ Json row_json(const SceneRun& run) {
             {"threads", run.threads},
             {"steps", run.steps},
             {"ns_per_step", run.ns_per_step},
-            {"speedup_over_box2d", run.speedup_over_all},
+            {"baseline", baseline.name},
+            {"baseline_ns_per_step", baseline.ns_per_step},
+            {"speedup_over_baseline", baseline.speedup},
+            {"baseline_contacts", nullptr},
+            {"speedup_over_box2d", run.over_all.speedup},
             {"speedup_over_box2d_moved", run.speedup_over_moved},
-            {"speedup_over_afresh", run.speedup_over_afresh},
+            {"speedup_over_afresh", run.over_afresh.speedup},
             {"speedup_over_one_thread", run.speedup_over_alone},
-            {"afresh_ns_per_step", run.afresh_ns_per_step},
+            {"afresh_ns_per_step", run.over_afresh.ns_per_step},
             {"afresh_speedup_over_box2d", run.afresh_over_all},
             {"mismatches", nullptr},
             {"steps_held_against_afresh", run.afresh.steps},
@@ -77,6 +84,7 @@ Json row_json(const SceneRun& run) {
             {"bytes_of_bodies", run.memory.bodies},
             {"bytes_of_pairs", run.memory.pairs}};
   if (run.afresh.steps > 0) json["mismatches"] = run.afresh.mismatches;
+  if (baseline.contacts) json["baseline_contacts"] = *baseline.contacts;
   return json;
 }
 
@@ -110,36 +118,20 @@ std::string curves_table(const std::vector<RecyclingCurve>& curves) {
   return text;
 }
 
-/// All of these, at a scale at which the longer side is so many pixels.
-View view_around(const std::vector<Point>& corners) {
-  constexpr double longer_side = 1200;
-  constexpr double margin = 20;
-  const Box shown = box_around(corners);
-  const double scale = longer_side / std::max(shown.width, shown.height);
-  return {{0, 0, shown.width * scale + 2 * margin, shown.height * scale + 2 * margin},
-          shown.center(),
-          scale};
-}
-
-/// The corners of a body in the world.
-Region region_of(const Body& body) {
-  const Pose<double> pose{body.pose.position.cast<double>(), body.pose.rotation.cast<double>()};
-  Region region;
-  for (const auto& corner : body.polygon.corners()) {
-    region.push_back(transform(pose, Point(corner.cast<double>())));
+/// Empty where no engine that has a world is installed.
+std::string worlds_table(const std::vector<SceneRun>& runs) {
+  std::string text;
+  for (const SceneRun& run : runs) {
+    for (const BaselineRun& world : run.over_worlds) {
+      text += fmt::format("{:<14} {:>7} {:<18} {:>10.2f} {:>8.2f} {:>9} {:>9}\n", run.scene,
+                          run.bodies, world.name, world.ns_per_step / 1000, world.speedup,
+                          *world.contacts, run.contacts);
+    }
   }
-  return region;
-}
-
-void draw_contact(Svg& svg, const View& view, const Pose<float>& a,
-                  const Manifold<float>& manifold) {
-  constexpr double normal_length = 9;
-  const Point normal = rotate(a.rotation, manifold.normal).cast<double>();
-  for (int i = 0; i < manifold.count; ++i) {
-    const Point at = view.place(Point(transform(a, manifold.points[i].position).cast<double>()));
-    svg.line({at, at + normal_length * View::direction(normal)}, "normal");
-    svg.circle(at, 2.5, "contact");
-  }
+  if (text.empty()) return text;
+  return fmt::format("\n{:<14} {:>7} {:<18} {:>10} {:>8} {:>9} {:>9}\n", "scene", "bodies", "world",
+                     "us a step", "x world", "contacts", "ours") +
+         text;
 }
 
 }  // namespace
@@ -205,8 +197,8 @@ std::string scene_table(const SceneResult& result) {
         "{:<14} {:>7} {:>10.2f} {:>7.2f} {:>8.2f} {:>9.2f} {:>10.2f} {:>9} {:>7.1f} {:>7.1f} "
         "{:>10.1f} {:>10.1f} "
         "{:>9} {:>7.0f} {:>7.0f} {:>10}\n",
-        run.scene, run.bodies, run.ns_per_step / 1000, run.speedup_over_all, run.speedup_over_moved,
-        run.speedup_over_afresh, run.afresh_ns_per_step / 1000, run.pairs, at_rest, separated,
+        run.scene, run.bodies, run.ns_per_step / 1000, run.over_all.speedup, run.speedup_over_moved,
+        run.over_afresh.speedup, run.over_afresh.ns_per_step / 1000, run.pairs, at_rest, separated,
         recycled, collided, run.contacts, ratio(run.memory.bodies, run.bodies),
         ratio(run.memory.pairs, run.pairs),
         run.afresh.steps > 0 ? std::to_string(run.afresh.mismatches) : "-");
@@ -216,6 +208,7 @@ std::string scene_table(const SceneResult& result) {
     text += fmt::format("{} of {} bodies: {} threads are {:.2f} times as fast as one\n", run.scene,
                         run.bodies, run.threads, run.speedup_over_alone);
   }
+  text += worlds_table(result.runs);
   if (!result.curves.empty()) text += '\n' + curves_table(result.curves);
   return text;
 }
@@ -233,7 +226,11 @@ std::string mismatches_in_words(const std::vector<SceneRun>& runs) {
 Json scene_json(const SceneResult& result) {
   Json json = provenance(1, {});
   json["rows"] = Json::array();
-  for (const SceneRun& run : result.runs) json["rows"].push_back(row_json(run));
+  for (const SceneRun& run : result.runs) {
+    for (const BaselineRun& baseline : baselines(run)) {
+      json["rows"].push_back(row_json(run, baseline));
+    }
+  }
   json["exponents"] = Json::array();
   for (const auto& [scene, points] : times_by_scene(result.runs)) {
     const auto exponent = fitted_exponent(points);
@@ -242,25 +239,6 @@ Json scene_json(const SceneResult& result) {
   json["recycling"] = Json::array();
   for (const RecyclingCurve& curve : result.curves) json["recycling"].push_back(curve_json(curve));
   return json;
-}
-
-std::string scene_frame(const ScenePlan& plan) {
-  const SceneSpec& spec = *plan.scenes.front();
-  const std::size_t bodies = plan.sizes.front();
-  const Frame frame = last_frame(spec.make(bodies, plan.steps), plan.settings);
-  std::vector<Region> regions;
-  std::vector<Point> corners;
-  for (const Body& body : frame.bodies) {
-    const Region& region = regions.emplace_back(region_of(body));
-    corners.insert(corners.end(), region.begin(), region.end());
-  }
-  const View view = view_around(corners);
-  Svg svg(fmt::format("{} of {} bodies", spec.name, bodies), kFrameStyle);
-  for (const Region& region : regions) svg.polygon(view.place(region), "body");
-  for (const scene::Contact& contact : frame.contacts) {
-    draw_contact(svg, view, frame.bodies[contact.a.index].pose, contact.manifold);
-  }
-  return svg.finish(view.frame.width, view.frame.height);
 }
 
 }  // namespace manifuzz

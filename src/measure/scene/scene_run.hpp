@@ -140,28 +140,36 @@ struct AfreshCheck {
 /// none for more.
 AfreshCheck check_afresh(const Trajectory& trajectory, const scene::Settings& settings);
 
-/// A trajectory gone through by a scene and by three baselines, step by step in turn: Box2D's broad
-/// phase and its `b2CollidePolygons` on every pair (all), or on those of which a body moved
-/// (moved), and `scene::Afresh`.
+/// What a scene is held against, step by step.
+struct BaselineRun {
+  std::string name;
+  double ns_per_step = 0;               ///< the median of the steps
+  double speedup = 0;                   ///< of the scene over it: the median of the steps' ratios
+  std::optional<std::size_t> contacts;  ///< that touch after the last step, where it says so
+};
+
+/// A trajectory gone through by a scene and by baselines, step by step in turn: Box2D's broad phase
+/// and its `b2CollidePolygons` on every pair (all), or on those of which a body moved (moved),
+/// `scene::Afresh`, and worlds of installed engines.
 struct SceneRun {
   std::string scene;
   std::size_t bodies = 0;
   std::size_t steps = 0;
-  float recycled_motion = 0;       ///< 0 is strict
-  bool certificates = true;        ///< scene::Settings::certificates
-  std::size_t threads = 1;         ///< that the steps were run on
-  double ns_per_step = 0;          ///< the median of the steps
-  double speedup_over_all = 0;     ///< the median of the steps' ratios
-  double speedup_over_moved = 0;   ///< likewise
-  double speedup_over_afresh = 0;  ///< likewise
-  double speedup_over_alone = 1;   ///< over one thread, likewise
-  double afresh_over_all = 0;      ///< how many times as fast as Box2D that is, likewise
-  double afresh_ns_per_step = 0;   ///< the median of the steps
-  scene::StepCounts counts;        ///< sums over the steps
-  std::size_t contacts = 0;        ///< after the last step
-  std::size_t pairs = 0;           ///< candidates after the last step
-  scene::Memory memory;            ///< after the last step
-  AfreshCheck afresh;              ///< of no step where contacts are recycled
+  float recycled_motion = 0;  ///< 0 is strict
+  bool certificates = true;   ///< scene::Settings::certificates
+  std::size_t threads = 1;    ///< that the steps were run on
+  double ns_per_step = 0;     ///< the median of the steps
+  BaselineRun over_all;       ///< Box2D's, on every pair
+  BaselineRun over_afresh;    ///< `scene::Afresh`
+  std::vector<BaselineRun> over_worlds;
+  double speedup_over_moved = 0;  ///< the median of the steps' ratios
+  double speedup_over_alone = 1;  ///< over one thread, likewise
+  double afresh_over_all = 0;     ///< how many times as fast as Box2D that is, likewise
+  scene::StepCounts counts;       ///< sums over the steps
+  std::size_t contacts = 0;       ///< after the last step
+  std::size_t pairs = 0;          ///< candidates after the last step
+  scene::Memory memory;           ///< after the last step
+  AfreshCheck afresh;             ///< of no step where contacts are recycled
 };
 
 /// The first step, in which everything is new, is not counted.

@@ -163,7 +163,7 @@ struct Stage {
 /// The stage's recording after `warm_up` steps, side by side until there are enough bodies.
 Trajectory recorded(const Stage& stage, std::size_t bodies, int warm_up, int steps,
                     const GravityTurn& gravity_turn = {}) {
-  const auto poses = scene_baseline().trajectory(stage.bodies, warm_up + steps, gravity_turn);
+  const auto poses = scene_engine().scenes.trajectory(stage.bodies, warm_up + steps, gravity_turn);
   Trajectory trajectory{stage.shapes, {}, {}};
   const std::size_t in_stage = stage.bodies.size();
   const auto pose_at = [&](std::size_t i, int step) {

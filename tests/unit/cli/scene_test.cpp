@@ -3,11 +3,24 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "engines/asked_engines.hpp"
 #include "measure/scene/scene_run.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace manifuzz;
+
+namespace {
+
+/// In the order of a scene's rows.
+std::vector<std::string> baseline_names() {
+  std::vector<std::string> names{"box2d"};
+  for (const EngineTimedWorld& world : installed_timed_worlds()) names.push_back(world.name);
+  names.emplace_back("afresh");
+  return names;
+}
+
+}  // namespace
 
 TEST_CASE("scene goes through every scene, with the contacts of all pairs afresh") {
   const test::TemporaryFolder folder;
@@ -18,9 +31,12 @@ TEST_CASE("scene goes through every scene, with the contacts of all pairs afresh
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const auto report = nlohmann::json::parse(std::ifstream(json));
-  REQUIRE(report.at("rows").size() == scene_specs().size());
+  const std::vector<std::string> baselines = baseline_names();
+  REQUIRE(report.at("rows").size() == scene_specs().size() * baselines.size());
+  std::size_t i = 0;
   for (const auto& row : report.at("rows")) {
     CAPTURE(row.at("scene"));
+    CHECK(row.at("baseline") == baselines[i++ % baselines.size()]);
     CHECK(row.at("bodies") == 60);
     CHECK(row.at("mismatches") == 0);
     CHECK(row.at("mode") == "strict");
@@ -30,11 +46,37 @@ TEST_CASE("scene goes through every scene, with the contacts of all pairs afresh
     CHECK(sum == row.at("candidates").get<std::size_t>());
     CHECK(skipped.at("recycled") == 0);
     for (const char* const key :
-         {"moving", "steps", "ns_per_step", "speedup_over_box2d", "speedup_over_afresh", "bytes"}) {
+         {"moving", "steps", "ns_per_step", "speedup_over_box2d", "speedup_over_afresh", "bytes",
+          "baseline_ns_per_step", "speedup_over_baseline"}) {
       CHECK(row.at(key).is_number());
     }
   }
   CHECK(test::text_of(frame).find("class=\"contact\"") != std::string::npos);
+}
+
+TEST_CASE("scene has a row a baseline, of which each has all of the scene") {
+  const auto outcome = test::run_manifuzz(
+      {"scene", "--scene", "pile", "--bodies", "300", "--steps", "6", "--json", "-"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto report = nlohmann::json::parse(outcome.out);
+  const auto& rows = report.at("rows");
+  const auto contacts = rows.at(0).at("contacts").get<double>();
+  for (const auto& row : rows) {
+    CAPTURE(row.at("baseline"));
+    for (const auto& [key, value] : row.items()) {
+      const bool is_of_baseline = key.find("baseline") != std::string::npos;
+      if (!is_of_baseline) CHECK(value == rows.at(0).at(key));
+    }
+    // A world says itself what touches.
+    if (row.at("baseline") == "box2d") continue;
+    CHECK(row.at("baseline_contacts").get<double>() == Approx(contacts).epsilon(0.1));
+  }
+  const auto& of_box2d = rows.at(0);
+  CHECK(of_box2d.at("speedup_over_baseline") == of_box2d.at("speedup_over_box2d"));
+  CHECK(of_box2d.at("baseline_contacts").is_null());
+  CHECK(rows.back().at("speedup_over_baseline") == of_box2d.at("speedup_over_afresh"));
+  CHECK(rows.back().at("baseline_contacts") == of_box2d.at("contacts"));
 }
 
 TEST_CASE("scene runs steps on threads, whose contacts and counts are those of one") {

@@ -2,8 +2,12 @@
 //! which makes a shared library of a declaration and a function. A panic ends the process, which
 //! counts as a crash.
 
+mod timed_world;
+
 use std::ffi::{c_char, c_int};
 use std::ptr::null;
+
+pub use timed_world::{Move, TimedWorld};
 
 pub const VERTICES_MAX: usize = 8;
 
