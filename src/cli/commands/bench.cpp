@@ -75,9 +75,19 @@ std::vector<BenchSubject> take_libraries(std::vector<std::string>& names) {
   return all;
 }
 
+/// The libraries' colliders whose worlds, of the same names, scenes are held against.
+std::vector<std::string> installed_baselines() {
+  std::vector<std::string> names;
+  for (const EngineTimedWorld& world : installed_timed_worlds()) {
+    if (find_asked(world.name)) names.push_back(world.name);
+  }
+  return names;
+}
+
 /// The engine to whose time the others' are ratios, and those that are named.
 std::vector<BenchSubject> chosen_subjects(std::vector<std::string> names) {
   const bool is_all = names.empty();
+  if (is_all) names = installed_baselines();
   std::vector<BenchSubject> libraries = take_libraries(names);
   std::vector<BenchSubject> all;
   for (const TimedPass* const pass : engine_passes()) all.push_back(subject_of(*pass));
@@ -179,7 +189,8 @@ void add_bench_arguments(CLI::App& app, BenchArguments& options) {
       app.add_option(
              "--collider", options.colliders,
              fmt::format(
-                 "collider to time besides {}; repeatable; default: all but shared libraries",
+                 "collider to time besides {}; repeatable; default: all, of shared libraries "
+                 "those that are baselines of scene",
                  kRatioBase))
           ->type_name("C|LIBRARY.so")
           ->allow_extra_args(false);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "exact/truth.hpp"
 #include "report/measurements.hpp"
+#include "support/installed_collider.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -31,6 +33,19 @@ TEST_CASE("bench measures every subject and writes what it found") {
   }
   CHECK(report.at("rows")[0].at("collider") == "box2d");
   CHECK(report.at("rows")[0].at("speedup_over_box2d") == 1.0);
+}
+
+TEST_CASE("bench times installed baselines of scenes where nobody is named, no other library") {
+  if (!test::installed_collider("box2d3")) return;
+  const auto outcome = test::run_manifuzz({"bench", "--quick", "--json", "-"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto report = nlohmann::json::parse(outcome.out);
+  std::set<std::string> libraries;
+  for (const auto& row : report.at("rows")) {
+    if (row.contains("ns_without_interface")) libraries.insert(row.at("collider"));
+  }
+  CHECK(libraries == std::set<std::string>{"interface", "box2d3"});
 }
 
 TEST_CASE("bench compares the ways to contact points, and draws what they trade") {
