@@ -162,8 +162,12 @@ bool Scene::recycle(std::uint32_t a, const Candidate& candidate) {
 /// What came of the rows, in their order; the last proof of a pair holds.
 void Scene::take_results() {
   compared_ = 0;
+  for_each_row_work(candidates_.size(), [&](std::size_t k) {
+    for (const auto& [place, until] : row_works_[k].proofs) {
+      candidates_.at(place).be_apart_until(until);
+    }
+  });
   for (RowWork& work : row_works_) {
-    for (const auto& [place, until] : work.proofs) candidates_.at(place).be_apart_until(until);
     ended_.insert(ended_.end(), work.ended.begin(), work.ended.end());
     vacant_.insert(vacant_.end(), work.vacant.begin(), work.vacant.end());
     clear_for(work.proofs, candidates_.size());

@@ -10,13 +10,6 @@
 
 namespace manifuzz::scene {
 
-std::optional<Defect> find_defect(const Settings& settings) {
-  for (const float length : {settings.tie_bias, settings.recycled_motion}) {
-    if (!(length >= 0 && length <= kLengthMax)) return Defect::setting_not_a_length;
-  }
-  return std::nullopt;
-}
-
 Scene::Scene(const Settings& settings) : settings_(settings), shapes_(settings.tie_bias) {
   assert(!find_defect(settings));
 }

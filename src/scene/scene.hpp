@@ -10,6 +10,7 @@
 #include "scene/executor.hpp"
 #include "scene/large_pages.hpp"
 #include "scene/parts.hpp"
+#include "scene/settings.hpp"
 #include "scene/work.hpp"
 
 // The manifolds of a whole scene, step after step. Of the bodies that moved, in this order:
@@ -29,21 +30,6 @@ struct RefusedMove {
   std::size_t index = 0;  ///< among the moves of the step
   Defect defect{};        ///< why
 };
-
-/// What holds for all pairs of a scene.
-struct Settings {
-  /// A face of B is taken only where it leads by more than this (a length, >= 0).
-  float tie_bias = 0;
-  /// Pairs that touch keep their contact, carried along rigidly, until a vertex has moved by this,
-  /// seen from the other body (a length). 0 is strict: the same bits as colliding them afresh.
-  float recycled_motion = 0;
-  /// Pairs are proven to be apart, and then skipped. Off, all pairs that moved are collided: the
-  /// same contacts.
-  bool certificates = true;
-};
-
-/// The first defect of settings, or none.
-std::optional<Defect> find_defect(const Settings& settings);
 
 /// What a scene takes.
 struct Memory {
@@ -181,6 +167,14 @@ class Scene {
     task(0);
   }
 
+  /// `act(k)` of each of the works on rows, in which there are so many things in all.
+  template <class Act>
+  void for_each_row_work(std::size_t things, const Act& act) const {
+    const std::size_t works = row_works_.size();
+    if (works == kTasks && tasks_for(things) > 1) return run(works, act);
+    for (std::size_t k = 0; k < works; ++k) act(k);
+  }
+
   void start_path(std::uint32_t body);
   void forget_removed();
   void place(std::span<const Move> moves);
@@ -188,6 +182,7 @@ class Scene {
   bool few_moved() const;
 
   void find_candidates();
+  std::size_t leaver_tasks_for(std::size_t things);
   void find_leavers();
   void find_leavers(const Share& share, LeaverWork& work);
   void leave(const Mover& mover, std::vector<Leaver>& left);
@@ -228,6 +223,8 @@ class Scene {
     return (paths_[bodies.a] + paths_[bodies.b] + margin) * (1 - 8 * kRoundoff);
   }
   void begin_contacts();
+  void begin_contacts(std::span<const Beginning> beginning, std::size_t begun,
+                      std::size_t behind_last);
   void drop_parted();
   void end_contact(Candidate& candidate);
   void erase_contact(std::uint32_t contact);

@@ -21,7 +21,7 @@ constexpr Fatness kByItself{0.8F, 4, 12};
 constexpr float kPathMax = 64;
 
 /// Once one body in so many has left its box, all are filed anew.
-constexpr std::size_t kFileShare = 8;
+constexpr std::size_t kFileShare = 6;
 
 /// So many more find room in a cell.
 constexpr std::uint32_t kRoom = 1;
@@ -62,11 +62,17 @@ bool Scene::few_moved() const {
          movers_.size() * candidates_.longest_row() < body_count_ + candidates_.size();
 }
 
+/// Each with work of its own.
+std::size_t Scene::leaver_tasks_for(std::size_t things) {
+  const std::size_t tasks = tasks_for(things);
+  if (leaver_works_.size() < tasks) leaver_works_.resize(tasks);
+  return tasks;
+}
+
 /// Each task looks at its share of the movers; those that left are told in the movers' order.
 void Scene::find_leavers() {
   clear_for(left_, body_count_);
-  const std::size_t tasks = tasks_for(movers_.size());
-  if (leaver_works_.size() < tasks) leaver_works_.resize(tasks);
+  const std::size_t tasks = leaver_tasks_for(movers_.size());
   run(tasks, [&](std::size_t task) {
     find_leavers(share_of(movers_.size(), task, tasks), leaver_works_[task]);
   });
@@ -101,22 +107,20 @@ void Scene::find_leavers(const Share& share, LeaverWork& work) {
 /// Draws the tight boxes of all bodies, moved or not: in tasks, none draws what another reads; and
 /// where most are asked for, it is faster than to find out which.
 void Scene::draw_all_boxes() {
-  clear_for(bodies_, body_count_);
-  resize(bodies_, states_.size() + 1);
-  std::uint32_t* const bodies = bodies_.data();
-  const std::uint8_t* const states = states_.data();
-  const auto places = static_cast<std::uint32_t>(states_.size());
-  std::size_t count = 0;
-  for (std::uint32_t body = 0; body < places; ++body) {
-    bodies[count] = body;
-    const bool is_there = (states[body] & (kMoved | kFiled)) != 0;
-    count += static_cast<std::size_t>(is_there & ((states[body] & kBoxed) == 0));
-  }
-  bodies_.resize(count);
-  const std::size_t tasks = tasks_for(count);
+  const std::size_t places = states_.size();
+  const std::size_t tasks = leaver_tasks_for(places);
   run(tasks, [&](std::size_t task) {
-    const auto [first, last] = share_of(count, task, tasks);
-    draw_tight_boxes(std::span<const std::uint32_t>(bodies_).subspan(first, last - first));
+    const auto [first, last] = share_of(places, task, tasks);
+    std::vector<std::uint32_t>& undrawn = leaver_works_[task].bodies;
+    resize(undrawn, last - first + 1);
+    std::size_t count = 0;
+    for (std::size_t body = first; body < last; ++body) {
+      undrawn[count] = static_cast<std::uint32_t>(body);
+      const std::uint8_t state = states_[body];
+      const bool is_there = (state & (kMoved | kFiled)) != 0;
+      count += static_cast<std::size_t>(is_there & ((state & kBoxed) == 0));
+    }
+    draw_tight_boxes(std::span<const std::uint32_t>(undrawn).first(count));
   });
 }
 

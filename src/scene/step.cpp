@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "scene/scene.hpp"
@@ -15,7 +16,6 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
   place(moves_of_parts(moves));
   find_candidates();
   look_at_candidates();
-  executor_ = nullptr;
   begin_contacts();
   drop_parted();
   settle();
@@ -30,7 +30,11 @@ void Scene::settle() {
   if (few_moved_) {
     for (const Mover& mover : movers_) settled(states_[mover.body]);
   } else {
-    std::ranges::for_each(states_, settled);
+    const std::size_t tasks = tasks_for(states_.size());
+    run(tasks, [&](std::size_t task) {
+      const auto [first, last] = share_of(states_.size(), task, tasks);
+      std::ranges::for_each(std::span(states_).subspan(first, last - first), settled);
+    });
   }
   movers_.clear();
   free_.insert(free_.end(), removed_.begin(), removed_.end());
@@ -51,30 +55,38 @@ void Scene::drop_parted() {
 /// In the first places of those that ended in this step, then behind the last of all.
 void Scene::begin_contacts() {
   std::ranges::sort(vacant_);
-  std::size_t count = 0;
-  for (const RowWork& work : row_works_) count += work.beginning.size();
+  std::array<std::size_t, kTasks + 1> begun{};  // before those of a work
+  for (std::size_t k = 0; k < row_works_.size(); ++k) {
+    begun[k + 1] = begun[k] + row_works_[k].beginning.size();
+  }
+  const std::size_t count = begun[row_works_.size()];
   const std::size_t behind_last = contacts_.size() - vacant_.size();
   resize(contacts_, std::max(contacts_.size(), behind_last + count));
   if (settings_.recycled_motion > 0) resize(kept_, contacts_.size());
-  std::size_t begun = 0;
-  for (RowWork& work : row_works_) {
-    const std::vector<Beginning>& beginning = work.beginning;
-    for (std::size_t i = 0; i < beginning.size(); ++i, ++begun) {
-      __builtin_prefetch(beginning[std::min(i + kContactsAhead, beginning.size() - 1)].candidate);
-      const auto& [bodies, candidate, manifold] = beginning[i];
-      const std::uint32_t contact =
-          begun < vacant_.size() ? vacant_[begun] : static_cast<std::uint32_t>(behind_last + begun);
-      candidate->touch(contact);
-      began_.push_back(contact);
-      contacts_[contact] = {handle(bodies.a), handle(bodies.b), manifold};
-      if (is_sensed(bodies)) contacts_[contact].manifold.count = 0;
-      if (settings_.recycled_motion > 0) kept_[contact] = {b_in_a(bodies), manifold};
-    }
-    clear_for(work.beginning, body_count_);
-  }
+  resize(began_, count);
+  for_each_row_work(count, [&](std::size_t k) {
+    begin_contacts(row_works_[k].beginning, begun[k], behind_last);
+  });
+  for (RowWork& work : row_works_) clear_for(work.beginning, body_count_);
   // From the end: the last contact of all has then neither ended nor begun.
   for (std::size_t i = vacant_.size(); i-- > count;) erase_contact(vacant_[i]);
   clear_for(vacant_, body_count_);
+}
+
+/// Begins those behind the first so many that begin.
+void Scene::begin_contacts(std::span<const Beginning> beginning, std::size_t begun,
+                           std::size_t behind_last) {
+  for (std::size_t i = 0; i < beginning.size(); ++i, ++begun) {
+    __builtin_prefetch(beginning[std::min(i + kContactsAhead, beginning.size() - 1)].candidate);
+    const auto& [bodies, candidate, manifold] = beginning[i];
+    const std::uint32_t contact =
+        begun < vacant_.size() ? vacant_[begun] : static_cast<std::uint32_t>(behind_last + begun);
+    candidate->touch(contact);
+    began_[begun] = contact;
+    contacts_[contact] = {handle(bodies.a), handle(bodies.b), manifold};
+    if (is_sensed(bodies)) contacts_[contact].manifold.count = 0;
+    if (settings_.recycled_motion > 0) kept_[contact] = {b_in_a(bodies), manifold};
+  }
 }
 
 StepResult Scene::result() {
