@@ -15,8 +15,6 @@ struct Game {
   std::uint32_t body = shape({{0, -0.5F}, {0, 0.5F}}, 0.5F);  // a capsule
   std::uint32_t head = shape({{0, 0}}, 0.4F);                 // a circle
   std::uint32_t dot = shape({{0, 0}}, 0.1F);
-  std::vector<BodyHandle> ground;
-  std::vector<BodyHandle> coins;
   BodyHandle player{};
   BodyHandle bullet{};
 
@@ -31,10 +29,8 @@ struct Game {
     const scene::Rules of_ground{.filter = {.category = kGround}, .is_static = true};
     const scene::Rules of_coins{.filter = {kCoin, kPlayer}, .is_sensor = true};
     const scene::Rules of_bullets{.filter = {kBullet, kGround}};  // not who shoots them
-    for (int i = 0; i < 8; ++i) {
-      ground.push_back(add(tile, 2 * static_cast<float>(i), -1, of_ground));
-    }
-    for (const float x : {4.0F, 6.0F}) coins.push_back(add(dot, x, 1, of_coins));
+    for (int i = 0; i < 8; ++i) add(tile, 2 * static_cast<float>(i), -1, of_ground);
+    for (const float x : {4.0F, 6.0F}) add(dot, x, 1, of_coins);
     const scene::BodyPart parts[] = {{body, {{0, 0}, {1, 0}}}, {head, {{0, 1.2F}, {1, 0}}}};
     player =
         std::get<BodyHandle>(scene.add(parts, {{1, 1}, {1, 0}}, {.filter = {.category = kPlayer}}));
