@@ -6,7 +6,7 @@
 #include "judging/faults/replayed.hpp"
 #include "oracle/box2d/deviations.hpp"
 
-// b2CollidePolygonAndCircle, b2CollideEdgeAndCircle and b2WorldManifold::Initialize of Box2D 2.4.1,
+// b2CollidePolygonAndCircle, b2CollideEdgeAndCircle and b2WorldManifold::Initialize of Box2D 2.4,
 // as the adapter calls them: the operations are the engine's in their order, in floats.
 
 namespace manifuzz {

@@ -13,11 +13,11 @@ struct Port {
   bool is_guarded = false;  ///< ClosestT gives 0 where both points are one
 };
 
-/// Chipmunk 7.0.3, which adds the least positive double: it matters beside zero alone.
+/// Chipmunk itself, which adds the least positive double: it matters beside zero alone.
 inline constexpr Port kChipmunk{.to_length = 0x1p-1022, .of_polygon = 1};
-/// cp 2.4.0, in whose doubles 1e-15 is added where Chipmunk adds the least positive one.
+/// cp, in whose doubles 1e-15 is added where Chipmunk adds the least positive one.
 inline constexpr Port kCp{.to_length = 1e-15, .of_polygon = 1};
-/// Munk2D of pymunk 7.3.0.
+/// Munk2D of pymunk.
 inline constexpr Port kMunk{.to_length = 0x1p-1022, .is_guarded = true};
 
 /// A pair of points, on A's surface and on B's, in the world.

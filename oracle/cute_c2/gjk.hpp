@@ -7,7 +7,7 @@
 
 namespace manifuzz::as_cute {
 
-// What cute_c2 1.08 makes of a case, its operations and the adapter's repeated in their order, in
+// What cute_c2 makes of a case, its operations and the adapter's repeated in their order, in
 // float: the numbers are the engine's to the last bit.
 
 /// c2MulxvT.

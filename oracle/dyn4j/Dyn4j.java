@@ -19,7 +19,7 @@ import org.dyn4j.geometry.Vector2;
 public class Dyn4j {
   // second_point: Capsule.EDGE_FEATURE_SELECTION_CRITERIA is 0.98, the cosine of this angle.
   private static final String DECLARATION = """
-      {"name": "dyn4j-%s", "version": "6.0.0", "scalar": "float64", "frame": "world", "tie_bias": 0,
+      {"name": "dyn4j-%s", "version": "%s", "scalar": "float64", "frame": "world", "tie_bias": 0,
        "vertices_max": 8, "takes_radius": false, "vertices_min": 1, "takes_round": false,
        "second_point": 0.2003348423231196, "points": "clip", "normal": "b_to_a"}""";
 
@@ -107,7 +107,7 @@ public class Dyn4j {
       System.exit(2);
     }
     NarrowphaseDetector detector = isGjk ? new Gjk() : new Sat();
-    Protocol.serve(DECLARATION.formatted(isGjk ? "gjk" : "sat"),
+    Protocol.serve(DECLARATION.formatted(isGjk ? "gjk" : "sat", Protocol.versionOf(Sat.class)),
         SNIPPET.formatted(isGjk ? "Gjk" : "Sat"), (a, b) -> collide(detector, a, b));
   }
 }

@@ -6,7 +6,7 @@
 
 namespace manifuzz::as_dyn4j {
 
-// What dyn4j 6.0.0 makes of a case, its operations and the adapter's repeated in their order: the
+// What dyn4j makes of a case, its operations and the adapter's repeated in their order: the
 // numbers are the engine's to the last bit.
 
 /// Epsilon.E.

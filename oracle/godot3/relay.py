@@ -5,6 +5,7 @@ A case goes there as its length in bytes, then of A and of B: how many points, a
 the position, (cos, sin). Back come how many points, and these: one on A, one on B, and so on."""
 import math
 import os
+import re
 import socket
 import struct
 import subprocess
@@ -40,13 +41,16 @@ func digits(x): # nine, which tell floats apart: str() gives six decimals
 	return "%.8fe%d" % [x / pow(10, power), power]
 """
 
-# Of Godot 3.2.3. second_point: an edge is one where its normal is within the angle of the cosine
+SAID = subprocess.run(["godot3-server", "--version"], stdin=subprocess.DEVNULL, capture_output=True,
+                      text=True).stdout  # its number, .stable and more
+
+# second_point: an edge is one where its normal is within the angle of the cosine
 # _SEGMENT_IS_VALID_SUPPORT_THRESHOLD, 0.99998 (servers/physics_2d/shape_2d_sw.h); else its farther
 # end. least_depth: CMP_EPSILON, 1e-5, by which _generate_contacts_edge_edge asks points to overlap.
 # Both points of two edges are as deep as the plane through the first end of the other edge.
-DECLARATION = {"name": "godot3", "version": "3.2.3", "scalar": "float32", "frame": "world",
-               "tie_bias": 0, "vertices_max": 8, "takes_radius": False, "vertices_min": 1,
-               "takes_round": False, "second_point": math.acos(0.99998), "clips": False,
+DECLARATION = {"name": "godot3", "version": re.match(r"[\d.]*\d", SAID)[0], "scalar": "float32",
+               "frame": "world", "tie_bias": 0, "vertices_max": 8, "takes_radius": False,
+               "vertices_min": 1, "takes_round": False, "second_point": math.acos(0.99998), "clips": False,
                "points": "surface_a", "depths": "shared", "one_point_enough": True,
                "least_depth": 1e-5, "normal": "a_to_b", "snippet": SNIPPET}
 

@@ -7,7 +7,7 @@
 
 namespace manifuzz::as_godot {
 
-// What Godot 3.2.3 makes of a case, its operations and the adapter's repeated in their order, in
+// What Godot 3 makes of a case, its operations and the adapter's repeated in their order, in
 // float: the numbers are the engine's to the last bit.
 
 /// CMP_EPSILON.

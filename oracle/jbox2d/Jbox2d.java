@@ -14,7 +14,7 @@ import org.jbox2d.pooling.normal.DefaultWorldPool;
 public class Jbox2d {
   // tie_bias: k_relativeTol 0.98 and k_absoluteTol 0.001 of Collision.collidePolygons.
   private static final String DECLARATION = """
-      {"name": "jbox2d", "version": "2.2.1.1", "scalar": "float32", "frame": "world",
+      {"name": "jbox2d", "version": "%s", "scalar": "float32", "frame": "world",
        "tie_bias": {"absolute": 0.001, "relative": 0.02, "towards": "a"}, "vertices_max": 8,
        "takes_radius": true, "vertices_min": 1, "takes_round": true,
        "declines": [["capsule", "capsule"], ["rounded", "capsule"], ["rounded", "polygon"],
@@ -177,6 +177,6 @@ public class Jbox2d {
   }
 
   public static void main(String[] arguments) throws IOException {
-    Protocol.serve(DECLARATION, SNIPPET, Jbox2d::collide);
+    Protocol.serve(DECLARATION.formatted(Protocol.versionOf(Collision.class)), SNIPPET, Jbox2d::collide);
   }
 }

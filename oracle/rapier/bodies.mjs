@@ -1,4 +1,6 @@
 // Rapier's colliders of a case, for both of its adapters. It computes in float.
+import { readFileSync } from "node:fs";
+
 import RAPIER from "@dimforge/rapier2d-compat";
 import { versionOf } from "../../scripts/colliders/js/protocol.mjs";
 
@@ -22,6 +24,9 @@ const [a, b] = [[ofA, bodyA], [ofB, bodyB]].map(([of, body]) =>
   world.createCollider(of.setActiveCollisionTypes(RAPIER.ActiveCollisionTypes.ALL), world.createRigidBody(body)));
 ${ask}`;
 
+// What its ledger cites: a release of Rapier does not say which parry it holds.
+const { cited_as: parry } = JSON.parse(readFileSync(new URL("engine.json", import.meta.url), "utf8"));
+
 export const declaration = {
   version: versionOf("@dimforge/rapier2d-compat", import.meta.url),
   scalar: "float32",
@@ -32,7 +37,7 @@ export const declaration = {
   vertices_min: 1,
   takes_round: true,
   // Rapier makes none of fewer than three corners whose normals' product is at most 1 - sqrt(2^-23)
-  // (parry2d 0.31.1, src/shape/convex_polygon.rs, from_convex_polyline): that of an angle of 0.02628.
+  // (parry2d, src/shape/convex_polygon.rs, from_convex_polyline): that of an angle of 0.02628.
   least_polygon: { turn: 0.0263 },
   clips: false,
   points: "surface_a",
@@ -40,7 +45,7 @@ export const declaration = {
   normal: "a_to_b",
   tolerance: {
     absolute: 100 * 2 ** -23,
-    source: "parry2d 0.31.1, src/query/epa/epa2.rs, closest_points: max_dist - curr_dist < _eps_tol",
+    source: `${parry}, src/query/epa/epa2.rs, closest_points: max_dist - curr_dist < _eps_tol`,
   },
 };
 

@@ -5,7 +5,7 @@
 #include "geometry/angular_disc.hpp"
 #include "methods/cached_points.hpp"
 
-// Contact points kept as Bullet 3.24 keeps them in a btPersistentManifold, rule by rule, in the
+// Contact points kept as Bullet keeps them in a btPersistentManifold, rule by rule, in the
 // plane: to see what its rules do to any detection, without what its float positions in the world
 // do. Each function says which of Bullet's has its rule.
 

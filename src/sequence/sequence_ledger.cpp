@@ -14,14 +14,14 @@ std::span<const SequenceEntry> sequence_ledger() {
     entries.push_back({{.id = "cached-bullet-world-normal",
                         .collider = "cached-bullet",
                         .description = "the normal stays in the world while both bodies turn",
-                        .source = "Bullet 3.24, btPersistentManifold.cpp, refreshContactPoints: "
+                        .source = "Bullet, btPersistentManifold.cpp, refreshContactPoints: "
                                   "m_normalWorldOnB is never turned"},
                        normal_of_the_world});
     entries.push_back({{.id = "cached-bullet-slot-by-areas",
                         .collider = "cached-bullet",
                         .description = "a fifth point takes the slot of one that is deepest or at "
                                        "an end: areas on a line are 0",
-                        .source = "Bullet 3.24, btPersistentManifold.cpp, sortCachedPoints"},
+                        .source = "Bullet, btPersistentManifold.cpp, sortCachedPoints"},
                        slot_by_areas});
     return entries;
   }();

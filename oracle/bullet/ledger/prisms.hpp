@@ -7,7 +7,7 @@
 
 namespace manifuzz::ledger_of {
 
-// Bullet 3.24 in its own floats, operation by operation, so that what it answers can be said of any
+// Bullet in its own floats, operation by operation, so that what it answers can be said of any
 // case: btVector3, btTransform and btConvexHullShape, of what oracle/bullet asks it.
 
 /// A vector of space; Bullet sums from x to z.

@@ -2,6 +2,10 @@
 #include "_cgo_export.h"
 #include "manifuzz_collider.h"
 
+/* CP_VERSION is given to the compiler by the install script, which asks go.mod. */
+#define AS_WRITTEN(x) #x
+#define AS_TEXT(x) AS_WRITTEN(x)
+
 static const char kSnippet[] =
     "@language go\n"
     "@point point $p, Distance $s\n"
@@ -25,7 +29,7 @@ static const char kSnippet[] =
 const manifuzz_declaration manifuzz_collider = {
     .interface = MANIFUZZ_INTERFACE,
     .name = "cp",
-    .version = "2.4.0",
+    .version = AS_TEXT(CP_VERSION),
     .scalar = MANIFUZZ_FLOAT64,
     .rounds_in = MANIFUZZ_WORLD,
     .answers_in = MANIFUZZ_WORLD,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-// libccd 2.1, ccd.c and polytope.c.
+// libccd, ccd.c and polytope.c.
 
 namespace manifuzz::ledger_of {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "oracle/libccd/ledger/polytope.hpp"
 
-// libccd 2.1, ccd.c: simplexToPolytope2 to simplexToPolytope4.
+// libccd, ccd.c: simplexToPolytope2 to simplexToPolytope4.
 
 namespace manifuzz::ledger_of {
 namespace {

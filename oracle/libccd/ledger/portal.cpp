@@ -5,7 +5,7 @@
 
 #include "oracle/libccd/ledger/prisms.hpp"
 
-// libccd 2.1, mpr.c.
+// libccd, mpr.c.
 
 namespace manifuzz::ledger_of {
 namespace {

@@ -8,9 +8,9 @@
 
 namespace manifuzz::ledger_of {
 
-// The GJK of libccd 2.1 in its own doubles, operation by operation: vec3.c, and doSimplex2 to
+// The GJK of libccd in its own doubles, operation by operation: vec3.c, and doSimplex2 to
 // doSimplex4 and __ccdGJK of ccd.c. In float it is the copy of these that begins
-// btGjkPairDetector.cpp of Bullet 3.24.
+// btGjkPairDetector.cpp of Bullet.
 
 template <class Scalar>
 using CcdVectorOf = Eigen::Matrix<Scalar, 3, 1, Eigen::DontAlign>;

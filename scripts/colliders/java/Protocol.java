@@ -81,6 +81,12 @@ final class Protocol {
     }
   }
 
+  /** As Maven names the jar that has the class: name-version.jar. */
+  static String versionOf(Class<?> ofEngine) {
+    String jar = ofEngine.getProtectionDomain().getCodeSource().getLocation().getPath();
+    return jar.replaceFirst(".*-([0-9][^/]*)\\.jar$", "$1");
+  }
+
   /** {@code declaration} is JSON, {@code snippet} a program that shows one case. */
   static void serve(String declaration, String snippet, Collider collider) throws IOException {
     BufferedReader lines = new BufferedReader(new InputStreamReader(System.in));

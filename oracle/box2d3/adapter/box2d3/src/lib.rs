@@ -1,4 +1,4 @@
-//! Box2D 3.2.0 as of its commit 56edae79, a snapshot: every `b2Collide` function for two bodies' shapes, without a world; and a world to be timed.
+//! Box2D 3: every `b2Collide` function for two bodies' shapes, without a world; and a world to be timed.
 
 mod world;
 
@@ -10,13 +10,15 @@ use boxdd_sys::ffi::{
 };
 use manifuzz_collider::{
     Body, CLAIMS, Claims, DECLARATION, Declaration, Double2, Float2, FRAME_OF_A, Manifold,
-    MIDPOINTS, VERTICES_MAX, export, export_timed_world,
+    MIDPOINTS, VERTICES_MAX, export, export_timed_world, version_in,
 };
+
+const VERSION: &[u8] = &version_in(include_str!("../../../engine.json"));
 
 /// Where either is as deep, A's face is the reference (manifold.c: separationA >= separationB).
 const OURS: Declaration = Declaration {
     name: c"box2d3".as_ptr(),
-    version: c"3.2.0, snapshot 56edae79".as_ptr(),
+    version: VERSION.as_ptr().cast(),
     rounds_in: FRAME_OF_A,
     points: MIDPOINTS,
     snippet: concat!(include_str!("snippet.c"), "\0").as_ptr().cast(),

@@ -190,6 +190,25 @@ pub const CLAIMS: Claims = Claims {
     least_polygon_area: 0.0,
 };
 
+/// What follows `"version": ` in the text of an engine.json, with a 0 after it, for a declaration.
+pub const fn version_in(json: &str) -> [u8; 64] {
+    const KEY: &[u8] = b"\"version\": \"";
+    let text = json.as_bytes();
+    let (mut at, mut matched) = (0, 0);
+    while matched < KEY.len() {
+        matched = if text[at] == KEY[matched] { matched + 1 } else { (text[at] == KEY[0]) as usize };
+        at += 1;
+    }
+    let mut version = [0; 64];
+    let mut i = 0;
+    while text[at + i] != b'"' {
+        version[i] = text[at + i];
+        i += 1;
+    }
+    assert!(i < version.len());
+    version
+}
+
 /// The first of each choice.
 pub const DECLARATION: Declaration = Declaration {
     interface: 4,
