@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -34,6 +35,12 @@ std::string printable(std::string_view text, std::size_t longest = 40);
 
 /// As one word of a shell's command line: in single quotes where it needs them.
 std::string quoted_for_shell(std::string_view text);
+
+/// "2 points", "1 point"; `plural` where it is not the noun with an s.
+std::string counted(std::uint64_t count, std::string_view noun, std::string_view plural = {});
+
+/// "once", "2 times".
+std::string times_in_words(std::uint64_t count);
 
 /// The candidate that was most likely meant by `word`: the only one that begins with it, else the
 /// first of those with the fewest slips (a character too many, missing, another, or two swapped),

@@ -214,10 +214,8 @@ Saving save_new(std::vector<Finding>& found, const Tally& tally, const Plan& pla
 
 std::string unwritten_in_words(const Saving& saving) {
   if (saving.unwritten == 0) return "";
-  return fmt::format(
-      "{} could not be saved: {}",
-      saving.unwritten == 1 ? "1 finding" : fmt::format("{} findings", saving.unwritten),
-      saving.first_error);
+  return fmt::format("{} could not be saved: {}", counted(saving.unwritten, "finding"),
+                     saving.first_error);
 }
 
 }  // namespace manifuzz

@@ -94,16 +94,17 @@ std::string state_in_words(const Campaign& campaign) {
   if (!campaign.result.interrupted) return text;
   const std::size_t unsaved = campaign.saving.unsaved;
   text += "interrupted: what was found until then is counted";
-  return text +
-         (unsaved == 0 ? " and kept\n" : fmt::format(", but {} findings are not saved\n", unsaved));
+  return text + (unsaved == 0 ? " and kept\n"
+                              : fmt::format(", but {} {} not saved\n", counted(unsaved, "finding"),
+                                            unsaved == 1 ? "is" : "are"));
 }
 
 std::string bucket_rows(const BucketResult& found) {
   const bool is_bad = decides_status(found);
   const std::string how = found.is_new ? fresh("new ") : found.is_accepted ? "accepted " : "";
-  std::string text =
-      fmt::format("{}{}: {} times, worst {:.2g} of the size\n", how,
-                  is_bad ? bad(found.bucket) : found.bucket, found.count, found.error.magnitude);
+  std::string text = fmt::format("{}{}: {}, worst {:.2g} of the size\n", how,
+                                 is_bad ? bad(found.bucket) : found.bucket,
+                                 times_in_words(found.count), found.error.magnitude);
   if (!found.objection.empty()) text += fmt::format("  {}\n", bad(found.objection));
   if (!found.file.empty()) text += fmt::format("  {}\n", found.file);
   const auto bucket = find_bucket(found.bucket);
@@ -113,11 +114,11 @@ std::string bucket_rows(const BucketResult& found) {
 
 std::string case_heading(const Campaign& campaign) {
   const CampaignResult& result = campaign.result;
-  return fmt::format("{} against {} {}: {} cases in {:.1f} s ({:.0f} a second, {}), seed {}\n",
+  return fmt::format("{} against {} {}: {} in {:.1f} s ({:.0f} a second, {}), seed {}\n",
                      result.settings.subject, result.settings.oracle,
-                     campaign.plan.oracle.declaration.version, result.cases(), result.seconds(),
-                     per_second(result.cases(), result.seconds()), counted(result.jobs, "job"),
-                     campaign.plan.seed);
+                     campaign.plan.oracle.declaration.version, counted(result.cases(), "case"),
+                     result.seconds(), per_second(result.cases(), result.seconds()),
+                     counted(result.jobs, "job"), campaign.plan.seed);
 }
 
 std::string unshrunk_in_words(const CampaignResult& result) {

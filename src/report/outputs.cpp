@@ -52,8 +52,8 @@ std::string steps_with(const Corpus& corpus, const std::string& program, const s
   const auto most = std::ranges::max_element(
       corpus.cases, {}, [&](const CorpusCase& known) { return weight_of(known, is_at_hand); });
   std::string text =
-      fmt::format("{} holds {} cases. Look at one, and replay all of them after a change:\n",
-                  printable(folder, 200), corpus.cases.size());
+      fmt::format("{} holds {}. Look at one, and replay all of them after a change:\n",
+                  printable(folder, 200), counted(corpus.cases.size(), "case"));
   text += fmt::format("  {} show {}\n", program, quoted_for_shell(most->path));
   return text + fmt::format("  {} replay {}\n", program, quoted_for_shell(folder));
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "engines/asked_engines.hpp"
 
 namespace manifuzz {
@@ -155,7 +156,7 @@ std::vector<FindingGroup> finding_groups(const CampaignResult& result) {
 }
 
 std::string how_often_and_bad(const FindingGroup& group) {
-  std::string how = group.count == 1 ? "once" : fmt::format("{} times", group.count);
+  std::string how = times_in_words(group.count);
   if (group.buckets.size() > 1) how += fmt::format(" in {} buckets", group.buckets.size());
   if (group.new_buckets > 0 && group.new_buckets < group.buckets.size()) {
     how += fmt::format(" ({} new)", group.new_buckets);

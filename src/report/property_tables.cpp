@@ -65,13 +65,17 @@ std::string property_screen(Checked checked, const std::string& subject, const C
   const auto tested = std::ranges::count_if(checked, is_tested);
   const auto passed = std::ranges::count_if(
       checked, [&](const CheckedProperty& one) { return is_tested(one) && one.result.passed; });
-  std::string text = fmt::format("{}: {} of {} properties hold\n", subject, passed, tested);
+  std::string text =
+      fmt::format("{}: {} of {} {}\n", subject, passed, counted(tested, "property", "properties"),
+                  tested == 1 ? "holds" : "hold");
   std::size_t shown = 0;
   for (const CheckedProperty& one : checked | std::views::filter(has_failed)) {
     if (++shown <= kFailuresShown) text += failure_in_words(one, again);
   }
   if (shown > kFailuresShown) {
-    text += fmt::format("and {} others fail: --verbose has all\n", shown - kFailuresShown);
+    const std::size_t others = shown - kFailuresShown;
+    text += fmt::format("and {} {}: --verbose has all\n", others,
+                        others == 1 ? "other fails" : "others fail");
   }
   text += line_of_names("accepted", checked, [](const CheckedProperty& one) {
     return !one.result.passed && one.is_accepted;
@@ -88,11 +92,11 @@ std::string property_line(const CheckedProperty& checked) {
     return fmt::format("--   {}: left out, for time was up\n", property.name);
   }
   if (checked.is_vacuous()) {
-    return fmt::format("--   {}: applies to none of {} cases\n", property.name,
-                       checked.result.cases);
+    return fmt::format("--   {}: applies to none of {}\n", property.name,
+                       counted(checked.result.cases, "case"));
   }
-  return fmt::format("{} {}: {}, {} cases\n", checked.is_accepted ? "accepted" : good("ok  "),
-                     property.name, property.sentence, checked.result.cases);
+  return fmt::format("{} {}: {}, {}\n", checked.is_accepted ? "accepted" : good("ok  "),
+                     property.name, property.sentence, counted(checked.result.cases, "case"));
 }
 
 }  // namespace manifuzz

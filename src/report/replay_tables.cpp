@@ -47,9 +47,9 @@ std::string replay_counts(const ReplayRun& run) {
   std::vector<std::string> counts;
   if (!run.cases.empty()) {
     const std::string against = run.oracle.empty() ? "" : " against " + run.oracle;
-    counts.push_back(fmt::format("{}{}: {} cases, {} passed, {} failed, in {:.2f} s", run.subject,
-                                 against, run.cases.size(), run.passed(), run.failed(),
-                                 run.seconds));
+    counts.push_back(fmt::format("{}{}: {}, {} passed, {} failed, in {:.2f} s", run.subject,
+                                 against, counted(run.cases.size(), "case"), run.passed(),
+                                 run.failed(), run.seconds));
   }
   if (run.accepted() > 0) counts.push_back(fmt::format("{} of them accepted", run.accepted()));
   if (run.unsupported() > 0) {

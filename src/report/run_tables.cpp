@@ -32,8 +32,8 @@ std::string progress_line(const Plan& plan, const Progress& progress) {
 std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::string& folder) {
   std::string text;
   if (!runs.findings.empty()) {
-    text = fmt::format("{}: {} findings of {} cases\n", printable(folder, 200),
-                       runs.findings.size(), cases);
+    text = fmt::format("{}: {} of {}\n", printable(folder, 200),
+                       counted(runs.findings.size(), "finding"), counted(cases, "case"));
   }
   if (!runs.result) return text;
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {

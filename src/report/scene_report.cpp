@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/text.hpp"
 #include "measure/provenance.hpp"
 #include "report/measurements.hpp"
 #include "report/picture/drawing.hpp"
@@ -217,8 +218,8 @@ std::string mismatches_in_words(const std::vector<SceneRun>& runs) {
   std::string text;
   for (const SceneRun& run : runs) {
     if (run.afresh.mismatches == 0) continue;
-    text += fmt::format("{} of {} bodies: {} mismatches\n", run.scene, run.bodies,
-                        run.afresh.mismatches);
+    text += fmt::format("{} of {}: {}\n", run.scene, counted(run.bodies, "body", "bodies"),
+                        counted(run.afresh.mismatches, "mismatch", "mismatches"));
   }
   return text;
 }

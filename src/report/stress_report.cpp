@@ -22,7 +22,7 @@ std::vector<std::size_t> reported_subjects(const StressPlan& plan, bool in_walks
 }
 
 std::string unbroken(const Sweep& sweep, const std::vector<StepStatistics>& steps) {
-  if (steps.size() < sweep.values.size()) return fmt::format("({} steps)", steps.size());
+  if (steps.size() < sweep.values.size()) return fmt::format("({})", counted(steps.size(), "step"));
   const auto has_contact = [](const StepStatistics& step) { return step.contacts > 0; };
   return std::ranges::any_of(steps, has_contact) ? "never" : "-";
 }
@@ -128,7 +128,7 @@ LinePlot plot_of(const StressPlan& plan, const StressResult& result, const Sweep
 std::string stress_table(const StressPlan& plan, const StressResult& result) {
   std::string text = result.interrupted ? "interrupted: what was measured until then\n" : "";
   if (!plan.sweeps.empty()) {
-    text += fmt::format("breaking points, {} cases a step\n{:<10}", plan.cases, "sweep");
+    text += fmt::format("breaking points, {} a step\n{:<10}", counted(plan.cases, "case"), "sweep");
     for (const std::size_t i : reported_subjects(plan, false)) {
       text += fmt::format(" {:>13}", plan.subjects[i].name);
     }
@@ -153,8 +153,8 @@ std::string progress_line(const StressProgress& progress) {
   const auto done = static_cast<double>(progress.done);
   const double share = done / static_cast<double>(progress.total);
   const double left = share > 0 ? progress.seconds / share - progress.seconds : 0;
-  return fmt::format("{} of {} cases, {:.0f} a second, {:.0f} s left", progress.done,
-                     progress.total, done / progress.seconds, left);
+  return fmt::format("{} of {}, {:.0f} a second, {:.0f} s left", progress.done,
+                     counted(progress.total, "case"), done / progress.seconds, left);
 }
 
 std::string complaints(const Comparison& comparison) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "exchange/json.hpp"
 #include "judging/by_curve.hpp"
 
@@ -133,10 +134,6 @@ std::string brief(double value) {
   return fmt::format("{:.4g}", value == 0 ? 0 : value);
 }
 
-std::string counted(std::uint64_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string face_name(Side side, int face) {
   return fmt::format("{} face {}", side == Side::a ? 'A' : 'B', face);
 }
@@ -246,13 +243,14 @@ std::string grid_in_words(const Grid& grid) {
 
 std::string severity_in_words(const JudgedCase& judged, const Neighbourhood& neighbourhood) {
   const Severity found = severity(neighbourhood, judged.judgement.bucket);
-  std::string words = fmt::format("severity {:.3g}: {} {} of {} neighbours", found.share(),
-                                  failing_in_words(judged), found.failing, found.valid);
+  std::string words =
+      fmt::format("severity {:.3g}: {} {} of {}", found.share(), failing_in_words(judged),
+                  found.failing, counted(found.valid, "neighbour"));
   if (const auto invalid = count_of(neighbourhood, Cell::State::invalid)) {
     words += fmt::format("; on {} more the polygon is not convex", invalid);
   }
   if (const auto left = count_of(neighbourhood, Cell::State::not_asked)) {
-    words += fmt::format("; {} were not asked", left);
+    words += fmt::format("; {} {} not asked", left, left == 1 ? "was" : "were");
   }
   return words;
 }

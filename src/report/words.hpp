@@ -14,9 +14,6 @@ namespace manifuzz {
 /// Four significant digits or a few more, for labels.
 std::string brief(double value);
 
-/// "2 points", "1 point".
-std::string counted(std::uint64_t count, std::string_view noun);
-
 /// "A face 2", the face by its number and its owner's name.
 std::string face_name(Side side, int face);
 

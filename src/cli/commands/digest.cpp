@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
@@ -30,7 +31,7 @@ Digest run(const DigestPlan& plan) {
   const ProgressLine line;
   const std::uint64_t all = regimes().size() * plan.cases;
   return digest(plan, interruption, [&](std::uint64_t done) {
-    line.show(fmt::format("{}% of {} cases", 100 * done / all, all));
+    line.show(fmt::format("{}% of {}", 100 * done / all, counted(all, "case")));
   });
 }
 

@@ -66,7 +66,8 @@ int hold_properties(PropertyArguments& options) {
     outputs.write(is_told && !options.ci.stdout_is_data,
                   [&] { write_to_reader(property_text(one)); });
     outputs.add_error(one.why_unsaved);
-    line.show(fmt::format("{} of {} properties tested", ++done, chosen.size()));
+    line.show(
+        fmt::format("{} of {} tested", ++done, counted(chosen.size(), "property", "properties")));
   };
   const std::vector<CheckedProperty> checked =
       check_properties(chosen, subject, plan, known, {}, options.folders.save_to(), tell);

@@ -62,8 +62,8 @@ int report(const ReportArguments& options) {
                                    {this_program(), repeating_command(paths, options)});
   write_data(options.output, html);
   if (options.output != "-") {
-    write_remark(fmt::format("{}: {} cases, {} results", printable(options.output, 200), count,
-                             files.results.size()));
+    write_remark(fmt::format("{}: {}, {}", printable(options.output, 200), counted(count, "case"),
+                             counted(files.results.size(), "result")));
   }
   if (files.corpus.errors.empty()) return 0;
   throw UserError(

@@ -44,8 +44,8 @@ int shrink_folder(const ShrinkArguments& options) {
   if (interruption.state() != Interruption::State::running) {
     write_complaint("shrink: interrupted; the other cases are unchanged");
   }
-  write_remark(fmt::format("{}: {} of {} cases shrunk", printable(folder.string(), 200),
-                           shrunk.files.size(), cases.size()));
+  write_remark(fmt::format("{}: {} of {} shrunk", printable(folder.string(), 200),
+                           shrunk.files.size(), counted(cases.size(), "case")));
   return shrunk.errors.empty() ? 0 : 2;
 }
 

@@ -27,8 +27,9 @@ TestResult test_of_regime(const Campaign& campaign, std::size_t i) {
   const double share = cases > 0 ? static_cast<double>(regime.cases) / cases : 0;
   TestResult test{regime.name, share * campaign.result.seconds()};
   if (failures > 0) {
-    test.failure = TestFailure{fmt::format("{} to be right", campaign.result.settings.subject),
-                               fmt::format("{} of {} cases against it", failures, regime.cases)};
+    test.failure =
+        TestFailure{fmt::format("{} to be right", campaign.result.settings.subject),
+                    fmt::format("{} of {} against it", failures, counted(regime.cases, "case"))};
   }
   return test;
 }
@@ -56,12 +57,12 @@ TestResult test_of_bucket(const CampaignResult& result, const Finding& finding,
   const std::string expected = finding.bucket.verdict == Verdict::oracle_wrong
                                    ? fmt::format("nothing new against {}", result.settings.oracle)
                                    : fmt::format("{} to be right", result.settings.subject);
-  return failed_test(
-      found.bucket,
-      {expected,
-       fmt::format("{}: {} times, worst {:.2g} of the size{}{}", found.bucket, found.count,
-                   found.error.magnitude, found.objection.empty() ? "" : "; ", found.objection),
-       found.file, found.command});
+  return failed_test(found.bucket,
+                     {expected,
+                      fmt::format("{}: {}, worst {:.2g} of the size{}{}", found.bucket,
+                                  times_in_words(found.count), found.error.magnitude,
+                                  found.objection.empty() ? "" : "; ", found.objection),
+                      found.file, found.command});
 }
 
 void add_buckets(TestSuite& suite, const Campaign& campaign, Interruption& interruption) {
@@ -107,9 +108,9 @@ TestSuite fuzz_suite(const Campaign& campaign, Interruption& interruption) {
   const CampaignResult& result = campaign.result;
   TestSuite suite{
       "manifuzz fuzz",
-      fmt::format("{} against {}: {} cases in {:.1f} s, {} unexplained, {} accepted, seed {}{}",
-                  result.settings.subject, result.settings.oracle, result.cases(), result.seconds(),
-                  result.unexplained(), result.accepted(), campaign.plan.seed,
+      fmt::format("{} against {}: {} in {:.1f} s, {} unexplained, {} accepted, seed {}{}",
+                  result.settings.subject, result.settings.oracle, counted(result.cases(), "case"),
+                  result.seconds(), result.unexplained(), result.accepted(), campaign.plan.seed,
                   result.interrupted ? "; interrupted" : ""),
       {},
       {{"verdict", "cases"}}};
@@ -188,8 +189,9 @@ TestSuite property_suite(std::span<const CheckedProperty> checked, const Collide
                            std::to_string(one.result.cases), fmt::format("{:.2f}", one.seconds)});
     suite.tests.push_back(test);
   }
-  suite.headline = fmt::format("{}: {} properties, {} failed", subject.declaration.name,
-                               suite.tests.size(), suite.failures());
+  suite.headline =
+      fmt::format("{}: {}, {} failed", subject.declaration.name,
+                  counted(suite.tests.size(), "property", "properties"), suite.failures());
   if (left_out > 0) suite.headline += fmt::format("; {} left out, for time was up", left_out);
   return suite;
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/picture/pictures.hpp"

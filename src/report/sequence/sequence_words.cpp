@@ -109,10 +109,11 @@ std::string verdict_sentence(const JudgedSequence& judged) {
   const SequenceJudgement& judgement = judged.judgement;
   const std::string& name = judged.subject.declaration.name;
   const std::string words = frame_in_words(judged, judgement.frame);
+  const std::size_t frames = judged.given.sequence().frames.size();
   switch (judgement.bucket.verdict) {
     case Verdict::agree:
-      return fmt::format("{} is right in each of {} frames", name,
-                         judged.given.sequence().frames.size());
+      return fmt::format("{} is right in {}{}", name, frames == 1 ? "" : "each of ",
+                         counted(frames, "frame"));
     case Verdict::known:
       return fmt::format("{} is wrong in frame {} (known): {}", name, judgement.frame, words);
     case Verdict::subject_wrong:
@@ -126,8 +127,9 @@ std::string verdict_sentence(const JudgedSequence& judged) {
 std::string keeper_line(const SequenceCollider& keeper) {
   const Declaration& declared = keeper.declaration;
   const Keeping& keeping = keeper.keeping;
-  std::string limits = fmt::format("keeps up to {} points, gap {}, drift {}", keeping.points_max,
-                                   length_in_words(keeping.gap), length_in_words(keeping.drift));
+  std::string limits =
+      fmt::format("keeps up to {}, gap {}, drift {}", counted(keeping.points_max, "point"),
+                  length_in_words(keeping.gap), length_in_words(keeping.drift));
   if (std::isfinite(keeping.turn)) limits += fmt::format(", turn {} rad", brief(keeping.turn));
   limits += keeping.since == StaleSince::birth ? " since birth" : " since each refresh";
   return fmt::format("{:<17} {} ({}, {}, {})\n", declared.name, declared.description,
@@ -144,9 +146,10 @@ std::string list_motions() {
 std::string sequence_heading(const CampaignResult& result, std::uint64_t seed) {
   const double seconds = result.seconds();
   return fmt::format(
-      "{}: {}, {} frames in {:.1f} s ({:.0f} frames a second, {}), "
+      "{}: {}, {} in {:.1f} s ({:.0f} frames a second, {}), "
       "seed {}\n",
-      result.settings.subject, counted(result.cases(), "sequence"), result.frames(), seconds,
+      result.settings.subject, counted(result.cases(), "sequence"),
+      counted(result.frames(), "frame"), seconds,
       seconds > 0 ? static_cast<double>(result.frames()) / seconds : 0, counted(result.jobs, "job"),
       seed);
 }

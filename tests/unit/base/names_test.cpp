@@ -77,3 +77,12 @@ TEST_CASE("what is chosen by name comes once, in the order in which it is named"
                     "--regime: there is no regime 'slivr'; did you mean 'sliver'? There are "
                     "sliver, generic");
 }
+
+TEST_CASE("what is counted is in the plural unless there is one") {
+  CHECK(counted(0, "case") == "0 cases");
+  CHECK(counted(1, "case") == "1 case");
+  CHECK(counted(2, "body", "bodies") == "2 bodies");
+  CHECK(counted(1, "body", "bodies") == "1 body");
+  CHECK(times_in_words(1) == "once");
+  CHECK(times_in_words(2) == "2 times");
+}

@@ -61,7 +61,7 @@ TEST_CASE("a workflow that breaks a case shows it: annotation, picture, command"
   const std::vector<std::string> lines = lines_of(outcome.out);
   REQUIRE(lines.size() == 3);
   CHECK_THAT(lines[0], Catch::StartsWith("FAIL "));
-  CHECK_THAT(lines[1], Contains("1 cases, 0 passed, 1 failed"));
+  CHECK_THAT(lines[1], Contains("1 case, 0 passed, 1 failed"));
   CHECK_THAT(lines[2], Catch::StartsWith("::error title=manifuzz replay%3A ") &&
                            Contains(",file=corpus/witness-box2d-no-contact-under-bias.json::"));
   const std::string summary = text_of(step.summary);

@@ -31,7 +31,7 @@ void check_replay(const TemporaryFolder& folder, const std::map<std::string, std
   const Outcome outcome = run_that_ends({"replay", folder.path().string()});
   CAPTURE(outcome.out, outcome.err);
   CHECK(outcome.status == (broken.empty() ? 0 : 2));
-  CHECK_THAT(outcome.out, Contains("1 cases, 1 passed, 0 failed"));
+  CHECK_THAT(outcome.out, Contains("1 case, 1 passed, 0 failed"));
   const auto lines = lines_of(outcome.err);
   REQUIRE(lines.size() == (broken.empty() ? 0 : broken.size() + 1));
   std::size_t i = 0;

@@ -20,7 +20,7 @@ void check_broken(const TemporaryFolder& folder, const std::map<std::string, std
   const Outcome outcome = run_manifuzz({"replay", folder.path()});
   INFO(outcome.out << outcome.err);
   CHECK(outcome.status == 2);
-  CHECK(outcome.out.find("1 cases, 1 passed, 0 failed") != std::string::npos);
+  CHECK(outcome.out.find("1 case, 1 passed, 0 failed") != std::string::npos);
   const auto lines = lines_of(outcome.err);
   REQUIRE(lines.size() == broken.size() + 1);
   std::size_t i = 0;

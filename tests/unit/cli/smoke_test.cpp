@@ -34,7 +34,7 @@ TEST_CASE("smoke replays, checks properties and runs a campaign, in one JUnit re
   CAPTURE(outcome.out);
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
-  CHECK_THAT(outcome.out, Contains("1 cases, 1 passed, 0 failed"));
+  CHECK_THAT(outcome.out, Contains("1 case, 1 passed, 0 failed"));
   CHECK_THAT(outcome.out, Contains("ok   swapping-mirrors: "));
   CHECK_THAT(outcome.out, Contains("clip against box2d 2.4.1: "));
   const auto suites = [&] {
@@ -52,7 +52,7 @@ TEST_CASE("smoke fails with a subject that is wrong") {
   const TemporaryFolder folder;
   const Outcome outcome = smoke(folder, {"--subject", "box2d", "--oracle", "clip"});
   CHECK(outcome.status == 1);
-  CHECK_THAT(outcome.out, Contains("1 cases, 0 passed, 1 failed"));
+  CHECK_THAT(outcome.out, Contains("1 case, 0 passed, 1 failed"));
 }
 
 TEST_CASE("a collider that never answers in time still has its smoke run") {

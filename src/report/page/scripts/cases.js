@@ -133,7 +133,7 @@ function filterBar() {
 function witness(one) {
   const title = one.role === "worst" ? "Worst" : one.bucket ? "Smallest" : "Case";
   const link = caseLink(one, thumbnail(one), element("span", { class: "witness-line" }, element("b", {}, title),
-    element("span", {}, `${one.vertices} vertices`), Number.isFinite(one.magnitude) && element("span", {}, `error ${sizes(one.magnitude)}`)));
+    element("span", {}, counted(one.vertices, "vertex", "vertices")), Number.isFinite(one.magnitude) && element("span", {}, `error ${sizes(one.magnitude)}`)));
   return setAttributes(link, { class: "witness", "aria-label": `${title}: ${one.sentence || one.note || one.file}` });
 }
 
@@ -145,7 +145,7 @@ function witnessesOf(cases) {
 
 function fileList(cases) {
   return element("ul", { class: "files" }, cases.map((one) => element("li", {}, caseLink(one, one.file),
-    element("span", {}, [`${one.vertices} vertices`, Number.isFinite(one.magnitude) && `error ${sizes(one.magnitude)}`,
+    element("span", {}, [counted(one.vertices, "vertex", "vertices"), Number.isFinite(one.magnitude) && `error ${sizes(one.magnitude)}`,
       one.property && `property ${one.property}`].filter(Boolean).join(", ")))));
 }
 

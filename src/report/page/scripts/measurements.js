@@ -182,7 +182,7 @@ function recyclingChart(scenes, quantity) {
   const scaleOfX = (left, right) => Object.assign((share) => left + share * (right - left),
     { ticks: [0, 0.25, 0.5, 0.75, 1].map((value) => ({ value, text: `${100 * value}%` })) });
   const lines = scenes.map(({ scene, bodies, points = [] }, i) => ({
-    name: `${words(scene)}, ${whole(bodies)} bodies`, color: `c${i % LINE_COLORS}`,
+    name: `${words(scene)}, ${counted(bodies, "body", "bodies")}`, color: `c${i % LINE_COLORS}`,
     points: points.map((point) => ({ x: point.skipped, y: point[quantity]?.p999, lines: [`motion up to ${short(point.motion)}`,
       `${percent(point.skipped)} skipped`, `${quantity} error ${short(point[quantity]?.p999)} (p999)`,
       `${whole(point.wrong)} of ${whole(point.judged)} wrong`] })) }));
