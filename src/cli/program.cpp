@@ -13,8 +13,8 @@
 #include "process/child.hpp"
 #include "process/signals.hpp"
 #include "process/standard_streams.hpp"
+#include "report/glossary.hpp"
 #include "report/outputs.hpp"
-#include "report/texts.hpp"
 
 namespace manifuzz {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "judging/by_curve.hpp"
 #include "judging/errors/clip_error.hpp"
+#include "judging/unjudged.hpp"
 #include "judging/used_shapes.hpp"
 
 namespace manifuzz {

@@ -6,6 +6,7 @@
 
 #include "exact/clip.hpp"
 #include "judging/compare.hpp"
+#include "judging/unjudged.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,3 +1,5 @@
+#include "judging/unjudged.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

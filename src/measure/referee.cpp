@@ -5,6 +5,7 @@
 
 #include "judging/by_curve.hpp"
 #include "judging/judge.hpp"
+#include "judging/unjudged.hpp"
 
 namespace manifuzz {
 namespace {

@@ -6,6 +6,7 @@
 #include "exchange/json.hpp"
 #include "judging/by_curve.hpp"
 #include "judging/manifold_error.hpp"
+#include "judging/unjudged.hpp"
 #include "judging/used_shapes.hpp"
 #include "report/departure/departure.hpp"
 #include "report/outputs.hpp"

@@ -1,3 +1,5 @@
+#include "report/glossary.hpp"
+
 #include <fmt/format.h>
 
 #include "report/texts.hpp"

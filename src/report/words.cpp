@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "exchange/json.hpp"
 #include "judging/by_curve.hpp"
+#include "judging/unjudged.hpp"
 
 namespace manifuzz {
 namespace {

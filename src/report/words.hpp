@@ -81,8 +81,4 @@ nlohmann::ordered_json case_json(const PairCase& pair);
 /// of its own. Throws UserError where nobody is at fault.
 std::string upstream_report(const JudgedCase& judged, const std::string& options);
 
-/// A snippet's template with the pair's numbers in it, and the lines that stand for its shapes;
-/// src/external/README.md says how it is written.
-std::string filled_in(const std::string& snippet, const PairCase& pair);
-
 }  // namespace manifuzz

@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "report/upstream/program.hpp"
 #include "report/words.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"

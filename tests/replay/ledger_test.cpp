@@ -6,6 +6,7 @@
 #include "corpus/corpus.hpp"
 #include "judging/by_curve.hpp"
 #include "judging/judge.hpp"
+#include "judging/unjudged.hpp"
 #include "support/installed_collider.hpp"
 #include "support/named_tests.hpp"
 #include "support/source_tree.hpp"

@@ -4,6 +4,7 @@
 
 #include "judging/by_curve.hpp"
 #include "judging/faults/differences.hpp"
+#include "judging/unjudged.hpp"
 #include "oracle/parry/ledger/replay.hpp"
 
 // The colliders whose answers are replayed, and how an answer is held against a replay, whichever

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "judging/unjudged.hpp"
 #include "oracle/parry/ledger/engines.hpp"
 
 // parry2d on polygons, segments and capsules against them: GJK, EPA and the clip of features.

@@ -10,6 +10,7 @@
 #include "campaign/in_child.hpp"
 #include "exact/curve.hpp"
 #include "exchange/json.hpp"
+#include "judging/unjudged.hpp"
 
 namespace manifuzz {
 namespace {

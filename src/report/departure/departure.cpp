@@ -10,6 +10,7 @@
 #include "geometry/pose.hpp"
 #include "judging/by_curve.hpp"
 #include "judging/manifold_error.hpp"
+#include "judging/unjudged.hpp"
 #include "report/departure/steps.hpp"
 
 namespace manifuzz {

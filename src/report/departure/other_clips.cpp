@@ -1,8 +1,8 @@
+#include "report/departure/other_clips.hpp"
+
 #include <array>
 
 #include <fmt/format.h>
-
-#include "report/departure/steps.hpp"
 
 namespace manifuzz {
 namespace {

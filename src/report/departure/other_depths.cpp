@@ -1,9 +1,9 @@
+#include "report/departure/other_depths.hpp"
+
 #include <array>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include "report/departure/steps.hpp"
 
 namespace manifuzz {
 namespace {

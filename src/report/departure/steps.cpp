@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "geometry/pose.hpp"
+#include "report/departure/other_clips.hpp"
+#include "report/departure/other_depths.hpp"
 
 namespace manifuzz {
 namespace {

@@ -32,13 +32,6 @@ std::string edge_in_words(exact::FaceOf edge);
 /// "... the clip gives this answer".
 using TryChoices = std::function<void(const std::string& words, const ClipChoices& choices)>;
 
-/// What else the clips at the side planes of the reference edge, and the one behind it, may do.
-void try_first_clips(const RightWay& way, const TryChoices& attempt);
-void try_second_clips(const RightWay& way, const TryChoices& attempt);
-void try_third_clips(const RightWay& way, const TryChoices& attempt);
-/// How else the depths may be told.
-void try_depths(const RightWay& way, const TryChoices& attempt);
-
 /// A step of the article, and every other choice that is tried for it.
 struct ClipStep {
   std::string_view name;

@@ -12,6 +12,7 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "report/glossary.hpp"
 #include "report/outputs.hpp"
 #include "report/overview.hpp"
 #include "report/round_truth.hpp"

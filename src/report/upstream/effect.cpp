@@ -1,3 +1,5 @@
+#include "report/upstream/effect.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -6,6 +6,7 @@
 
 #include "campaign/plan.hpp"
 #include "judging/curve_answer.hpp"
+#include "report/upstream/program.hpp"
 
 namespace manifuzz {
 
@@ -68,39 +69,6 @@ int right_count(const JudgedCase& judged, const Declaration& declaration);
 /// Whether it is an answer, but none that can be read.
 bool is_nonsense(const DeclaredAnswer& asked);
 
-/// What an answer does to two bodies, where a solver pushes B by the depth along the normal that
-/// it was given: world lengths, and an angle.
-struct Effect {
-  bool is_contact = false;   ///< whether there is a contact at all
-  double size = 0;           ///< of the smaller shape
-  double overlap = 0;        ///< how deep they overlap; negative: how far they are apart
-  double push = 0;           ///< the depth given
-  double overlap_after = 0;  ///< once B is pushed; negative: how far they are apart then
-  double turn = 0;           ///< of the normal given from the nearest right one, in radians
-  double length = 1;         ///< of the normal given
-  double rounding = 0;       ///< within which two lengths are alike
-  double turn_rounding = 0;  ///< within which two directions are alike
-};
-
-Effect effect_of(const JudgedCase& judged, const DeclaredAnswer& asked);
-
-/// How deep two bodies overlap once B is moved by `push` in the world: negative across a gap.
-/// As near as double says it.
-double overlap_once_pushed(const PairCase& pair, const Vector2<double>& push);
-
-/// What is seen of an answer, and how large that is.
-struct Sight {
-  std::string text;
-  double share = 1;       ///< of the smaller shape's size; of a direction an angle in radians
-  bool is_length = true;  ///< else a direction
-};
-
-/// What becomes of the bodies by a push along the given normal; none where that is as it should be.
-std::optional<Sight> seen_of_push(const Effect& effect);
-
-/// "0.5 degrees", or radians where they are few.
-std::string angle_in_words(double radians);
-
 /// "Triangles that overlap by 0.3 have no contact": what happens, with figures, in plain words.
 std::string upstream_title(const JudgedCase& judged, const DeclaredAnswer& asked);
 
@@ -109,21 +77,6 @@ std::string seen_by_users(const JudgedCase& judged, const DeclaredAnswer& asked)
 
 /// How to check the truth with a pencil: a face and a vertex, or two nearest places.
 std::string checked_by_hand(const PairCase& pair);
-
-/// What a snippet's template makes of one pair, and says of how its engine answers.
-struct Program {
-  std::string text;                          ///< the program
-  std::string function;                      ///< that it asks; empty where it does not say
-  std::string language;                      ///< of the fence around it
-  std::string point = "point $p, depth $d";  ///< how the engine gives a point, see point_in_words
-  std::string none = "no contact";           ///< how it says that there is none
-  std::string figures{};                     ///< how its figures are read; empty: as they stand
-  bool has_normal = true;                    ///< whether it gives a normal at all
-  bool is_b_first = false;                   ///< it is asked with B before A
-};
-
-/// The template filled in: its conditional lines, its directives, its numbers.
-Program program_for(const std::string& snippet, const PairCase& pair);
 
 /// How finely a contact is written down.
 struct Detail {

@@ -1,3 +1,5 @@
+#include "report/upstream/program.hpp"
+
 #include <algorithm>
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
@@ -12,8 +14,6 @@
 #include "collider/snippet.hpp"
 #include "judging/faults/rounded_sum.hpp"
 #include "report/rows.hpp"
-#include "report/upstream/parts.hpp"
-#include "report/words.hpp"
 
 namespace manifuzz {
 namespace {

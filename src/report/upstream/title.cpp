@@ -6,6 +6,7 @@
 
 #include "exact/curve.hpp"
 #include "judging/bounds.hpp"
+#include "report/upstream/effect.hpp"
 #include "report/upstream/parts.hpp"
 
 namespace manifuzz {

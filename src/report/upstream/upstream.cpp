@@ -4,6 +4,7 @@
 
 #include "exchange/json.hpp"
 #include "report/upstream/parts.hpp"
+#include "report/upstream/program.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

@@ -8,6 +8,7 @@
 
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
+#include "judging/unjudged.hpp"
 #include "own_colliders/own_colliders.hpp"
 
 namespace manifuzz {

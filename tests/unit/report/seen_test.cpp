@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "report/upstream/effect.hpp"
 #include "report/upstream/parts.hpp"
 #include "unit/report/sample.hpp"
 

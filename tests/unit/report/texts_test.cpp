@@ -4,6 +4,7 @@
 
 #include "base/text.hpp"
 #include "report/upstream/parts.hpp"
+#include "report/upstream/program.hpp"
 #include "report/words.hpp"
 #include "unit/report/sample.hpp"
 
