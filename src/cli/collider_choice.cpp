@@ -100,18 +100,17 @@ std::optional<ColliderChoice> named_choice(const ColliderChoice& by_name,
 
 Collider find_named(const ColliderChoice& choice, const std::string& name,
                     const ExternalOptions& external) {
-  try {
-    Collider found = find_collider(choice, external);
-    if (found.declaration.name == name) return found;
-    throw UserError(fmt::format("it is called '{}' there, but declares the name '{}'",
-                                printable(name), printable(found.declaration.name)));
-  } catch (const UserError& error) {
-    throw UserError(fmt::format("subjects.json: {}: {}", printable(name), error.what()));
-  }
+  return find_by_its_name(name, [&] { return find_collider(choice, external); });
 }
 
-NamedColliders::Find find_installed_or_named(const SubjectsFrom& from) {
-  return [subjects = read_subjects(from)](const std::string& name) -> std::optional<Collider> {
+void expect_name(const Declaration& declaration, const std::string& name) {
+  if (declaration.name == name) return;
+  throw UserError(fmt::format("it is called '{}' there, but declares the name '{}'",
+                              printable(name), printable(declaration.name)));
+}
+
+NamedColliders::Find find_installed_or_named(const NamedSubjects& subjects) {
+  return [subjects](const std::string& name) -> std::optional<Collider> {
     const auto choice = named_choice({"subject", name, ""}, subjects);
     if (!choice) return find_installed(name);
     try {
@@ -126,7 +125,8 @@ NamedColliders::Find find_installed_or_named(const SubjectsFrom& from) {
 void add_collider(CLI::App& app, ColliderChoice& choice, const std::string& description) {
   CLI::Option* const name =
       add_text(app, "--" + choice.role, choice.name, "C|LIBRARY.so", description)
-          ->capture_default_str();
+          ->capture_default_str()
+          ->each([&choice](const std::string&) { choice.is_chosen = true; });
   add_text(app, "--" + choice.role + "-command", choice.command, "COMMAND",
            fmt::format("program to use as --{}: it reads cases and writes manifolds, a JSON line "
                        "each",

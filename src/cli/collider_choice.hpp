@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/text.hpp"
 #include "campaign/named_colliders.hpp"
 #include "collider/collider.hpp"
 #include "engines/colliders.hpp"
@@ -20,6 +21,7 @@ struct ColliderChoice {
   std::string name;     ///< one of `list colliders`, or a shared library; empty: none was named
   std::string command;  ///< or a program
   bool keeps_points = false;  ///< the program does: it gets sequences
+  bool is_chosen = false;     ///< on the command line, not taken by default
 
   bool is_given() const { return !name.empty() || !command.empty(); }
 };
@@ -29,6 +31,7 @@ struct ExternalOptions {
   bool in_process = false;
   std::optional<double> time_limit;
   double start_seconds = kStartSecondsMax;  ///< what a program may take to say anything at all
+  NamedSubjects named{};                    ///< colliders that cases name, as subjects.json says
 };
 
 /// The collider under test and the one it is held against.
@@ -66,9 +69,24 @@ std::optional<ColliderChoice> named_choice(const ColliderChoice& by_name,
 Collider find_named(const ColliderChoice& choice, const std::string& name,
                     const ExternalOptions& external);
 
+/// Fails where it declares another name.
+void expect_name(const Declaration& declaration, const std::string& name);
+/// What `find` gives that subjects.json calls by that name, of pair cases or sequences. Throws
+/// UserError that begins with subjects.json; also where it declares another name.
+template <class Find>
+auto find_by_its_name(const std::string& name, const Find& find) {
+  try {
+    auto found = find();
+    expect_name(found.declaration, name);
+    return found;
+  } catch (const UserError& error) {
+    throw UserError("subjects.json: " + printable(name) + ": " + error.what());
+  }
+}
+
 /// The installed collider of a name, or what a file subjects.json gives that name; what is wrong
 /// with that is an error line.
-NamedColliders::Find find_installed_or_named(const SubjectsFrom& from);
+NamedColliders::Find find_installed_or_named(const NamedSubjects& subjects);
 
 /// The seconds that a library or a program may take over a case. Throws UserError.
 double time_limit_of(const ExternalOptions& external);

@@ -73,10 +73,11 @@ TrialOf trials_of_others(const ColliderChoice& subject, const ExternalOptions& e
   return [of_kind](const CorpusCase& known) { return of_kind.at(kind_of(known.any))(known); };
 }
 
-TrialOf trials_of(const SubjectAndOracle& asked, const NamedColliders::Find& find) {
+TrialOf trials_of(const SubjectAndOracle& asked) {
   const bool is_of_pairs = kind_for(asked.subject) == nullptr;
   const TrialOf of_pairs = trials_of_pairs(std::make_shared<NamedColliders>(
-      find, is_of_pairs ? given_collider(asked.subject, asked.external) : std::nullopt,
+      find_installed_or_named(asked.external.named),
+      is_of_pairs ? given_collider(asked.subject, asked.external) : std::nullopt,
       given_collider(asked.oracle, asked.external)));
   const TrialOf of_others = trials_of_others(asked.subject, asked.external);
   return [of_pairs, of_others](const CorpusCase& known) {

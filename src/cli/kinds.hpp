@@ -65,9 +65,9 @@ void expect_regimes_of_pairs(const std::vector<std::string>& names);
 /// Fails where one is a regime of pair cases.
 void expect_regimes_of(const OtherKind& kind, const std::vector<std::string>& names);
 
-/// The trials of other kinds; of each kind, where pair cases find their colliders by `find`.
+/// The trials of other kinds; of each kind, by the colliders that are installed or named.
 TrialOf trials_of_others(const ColliderChoice& subject, const ExternalOptions& external);
-TrialOf trials_of(const SubjectAndOracle& asked, const NamedColliders::Find& find);
+TrialOf trials_of(const SubjectAndOracle& asked);
 
 /// What of a corpus the subject takes, if one was named, else all. Says on stderr what is left out.
 Corpus taken_by(const ColliderChoice& subject, Corpus corpus);

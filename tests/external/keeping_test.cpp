@@ -160,3 +160,29 @@ TEST_CASE("campaigns of a program's sequences shrink, save and repeat what they 
   CHECK(dead["stopped_early"] == true);
   CHECK(dead["verdicts"]["crashed"].get<int>() >= 20);
 }
+
+TEST_CASE("a program that keeps points is asked again about its sequences as subjects.json says") {
+  const TemporaryFolder folder;
+  const Json run = fuzz(folder, "stale", {"--cases", "20"});
+  const std::string file = run["buckets"][0]["file"];
+  const std::string corpus = (folder.path() / "corpus").string();
+  const std::string command = std::string(MANIFUZZ_TEST_KEEPING_PROGRAM) + " stale";
+  const Outcome unnamed = run_manifuzz({"show", file, "--corpus", corpus});
+  CHECK(unnamed.status == 2);
+  CHECK(is_one_clear_line(unnamed.err));
+  CHECK_THAT(unnamed.err, Catch::Contains("was found with 'keeping'") &&
+                              Catch::Contains("--sequences") && Catch::Contains("subjects.json"));
+  CHECK(run_manifuzz({"replay", corpus}).status == 2);
+  folder.write("subjects.json", Json({{"keeping", {{"command", command}}}}).dump());
+  CHECK_THAT(run_manifuzz({"show", file, "--corpus", corpus}).out,
+             Catch::Contains("did not turn with its body"));
+  const Outcome replayed = run_manifuzz({"replay", corpus, "--json", "-"});
+  CHECK(replayed.status == 1);  // wrong as before, and not accepted
+  CHECK_THAT(replayed.err, Catch::Contains("keeping is " + command + ", as "));
+  CHECK(Json::parse(replayed.out)["unasked"] == Json::array());
+  CHECK(run_manifuzz({"shrink", file, "--corpus", corpus}).status == 0);
+  folder.write("subjects.json", R"({"keeping": {"library": "./libkeeping.so"}})");
+  const Outcome library = run_manifuzz({"show", file, "--corpus", corpus});
+  CHECK(library.status == 2);
+  CHECK_THAT(library.err, Catch::Contains("subjects.json: keeping: a library keeps no points"));
+}

@@ -53,7 +53,7 @@ struct FuzzArguments {
 void plan_cases(Plan& plan, const FuzzArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
   if (const OtherKind* const kind = kind_for(asked.subject)) {
-    expect_none_of(*kind, {{"--oracle", asked.oracle.name != SubjectAndOracle().oracle.name},
+    expect_none_of(*kind, {{"--oracle", asked.oracle.is_chosen},
                            {"--oracle-command", !asked.oracle.command.empty()},
                            {"--tie-bias", options.tie_bias.has_value()},
                            {"--radius", options.radius.has_value()},

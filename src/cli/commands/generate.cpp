@@ -24,7 +24,8 @@ struct GenerateArguments {
 int generate_cases(const GenerateArguments& options) {
   const DrawOptions draw{options.regimes, options.seed, *options.first, *options.cases};
   if (const OtherKind* const kind = kind_for(options.regimes)) {
-    expect_none_of(*kind, {{"--radius", options.radius.has_value()}});
+    expect_none_of(*kind, {{"--radius", options.radius.has_value()},
+                           {"--corpus", options.folders.named.has_value()}});
     expect_regimes_of(*kind, options.regimes);
     return kind->generate(draw);
   }

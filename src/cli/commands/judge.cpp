@@ -28,7 +28,9 @@ struct JudgeArguments {
 int judge_cases(const JudgeArguments& options) {
   const SubjectAndOracle& asked = options.colliders;
   if (const OtherKind* const kind = kind_for(asked.subject)) {
-    expect_none_of(*kind, {{"--manifolds", !options.manifolds.empty()}});
+    expect_none_of(*kind, {{"--oracle", asked.oracle.is_chosen},
+                           {"--oracle-command", !asked.oracle.command.empty()},
+                           {"--manifolds", !options.manifolds.empty()}});
     return kind->judge(asked.subject, asked.external, options.file);
   }
   const Collider subject = find_collider(asked.subject, asked.external);

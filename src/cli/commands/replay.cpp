@@ -40,9 +40,9 @@ int replay(ReplayArguments& options) {
   std::vector<std::filesystem::path> paths(options.paths.begin(), options.paths.end());
   if (paths.empty()) paths = CorpusFolders().all();
   check_outputs({{{"--json", options.json}}, paths}, options.ci);
-  const SubjectAndOracle& asked = options.colliders;
-  const TrialOf trial_of =
-      trials_of(asked, find_installed_or_named({options.subjects, corpora_of(paths)}));
+  SubjectAndOracle& asked = options.colliders;
+  asked.external.named = read_subjects({options.subjects, corpora_of(paths)});
+  const TrialOf trial_of = trials_of(asked);
   const Corpus corpus = taken_by(asked.subject, read_corpus(paths));
   const std::size_t unread = corpus.errors.size();
   write_complaints(corpus.errors);

@@ -40,11 +40,10 @@ struct ShowArguments {
 /// The collider that was asked for, else the one that the case names, built in or in subjects.json,
 /// else the usual one; `asked` is how it is asked for then.
 Collider chosen(const std::string& file, ColliderChoice& asked, const ExternalOptions& external,
-                const NamedSubjects& subjects, const std::string& recorded,
-                std::string_view usual) {
+                const std::string& recorded, std::string_view usual) {
   if (asked.is_given()) return find_collider(asked, external);
   asked.name = recorded.empty() ? std::string(usual) : recorded;
-  if (const auto named = named_choice(asked, subjects)) {
+  if (const auto named = named_choice(asked, external.named)) {
     return find_named(asked = *named, recorded, external);
   }
   if (find_entry(asked.name) != nullptr) return find_collider(asked, external);
@@ -54,7 +53,7 @@ Collider chosen(const std::string& file, ColliderChoice& asked, const ExternalOp
       file, printable(asked.name), asked.role, asked.role));
 }
 
-int show(const ShowArguments& options) {
+int show(ShowArguments& options) {
   if (options.map_step && !options.map) {
     throw UserError("--map-step: needs --map FILE.png");
   }
@@ -64,20 +63,20 @@ int show(const ShowArguments& options) {
                   {"--curve", options.curve, OutputPath::Kind::file, {".svg", ".png"}},
                   {"--map", options.map.value_or(""), OutputPath::Kind::file, {".png"}}},
                  {file}});
+  SubjectAndOracle& asked = options.colliders;
+  asked.external.named = read_subjects({options.subjects, options.given.folders.all()});
   if (const OtherKind* const kind = kind_for(given.any)) {
-    expect_none_of(*kind, {{"--curve", !options.curve.empty()},
+    expect_none_of(*kind, {{"--oracle", asked.oracle.is_given()},
+                           {"--curve", !options.curve.empty()},
                            {"--map", options.map.has_value()},
                            {"--upstream", options.upstream},
                            {"--text-picture", options.text_picture}});
-    return kind->show(given, options.colliders.subject, options.colliders.external, options.svg);
+    return kind->show(given, asked.subject, asked.external, options.svg);
   }
   const Expectation recorded = given.expect.value_or(Expectation{});
-  SubjectAndOracle asked = options.colliders;
-  const NamedSubjects named = read_subjects({options.subjects, options.given.folders.all()});
-  const Collider subject =
-      chosen(file, asked.subject, asked.external, named, recorded.subject, "clip");
+  const Collider subject = chosen(file, asked.subject, asked.external, recorded.subject, "clip");
   const Collider oracle =
-      chosen(file, asked.oracle, asked.external, named, recorded.oracle, usual_oracle_name());
+      chosen(file, asked.oracle, asked.external, recorded.oracle, usual_oracle_name());
   Interruption interruption(kUntilSignal);
   const JudgedCase judged = judged_case(given, subject, oracle, interruption);
   const bool is_picture_alone = options.svg == "-";

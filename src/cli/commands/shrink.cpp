@@ -34,8 +34,9 @@ int shrink_folder(const ShrinkArguments& options) {
     throw UserError("--output: the cases of a folder are shrunk in place; omit the option");
   }
   const Corpus corpus = taken_by(options.colliders.subject, read_corpus_folder(folder));
-  const TrialOf trial_of =
-      trials_of(options.colliders, find_installed_or_named({options.subjects, {folder}}));
+  SubjectAndOracle asked = options.colliders;
+  asked.external.named = read_subjects({options.subjects, {folder}});
+  const TrialOf trial_of = trials_of(asked);
   const std::vector<CorpusCase> cases = corpus.all();
   Interruption interruption;
   const ShrunkInPlace shrunk = shrink_in_place(
@@ -66,7 +67,11 @@ int shrink_file(const ShrinkArguments& options) {
   const std::string file = case_file(options.given);
   check_outputs({{{"--output", options.output}}, {file}});
   const CorpusCase given = read_case_file(file, kind_to_read(options.colliders.subject));
-  const auto trial = trial_of(given, options.colliders);
+  SubjectAndOracle asked = options.colliders;
+  if (kind_for(given.any) != nullptr) {  // a pair case is asked of those that are chosen
+    asked.external.named = read_subjects({options.subjects, options.given.folders.all()});
+  }
+  const auto trial = trial_of(given, asked);
   Interruption interruption;
   const std::string text = format_case(shrunk_case(given, *trial, interruption));
   options.output == "-" ? write_output(text) : write_file(options.output, text);

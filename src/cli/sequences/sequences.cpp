@@ -32,7 +32,28 @@ bool is_motion(std::string_view name) {
   return find_motion(name) != nullptr;
 }
 
+SequenceCollider keeper_by_command(const std::string& command, const ExternalOptions& external) {
+  return keeper_of_command(command, time_limit_of(external), external.start_seconds);
+}
+
+/// What subjects.json calls by that name, if it does.
+std::optional<SequenceCollider> find_named_keeper(const std::string& name,
+                                                  const ExternalOptions& external) {
+  const auto choice = named_choice({"subject", name, ""}, external.named);
+  if (!choice) return std::nullopt;
+  return find_by_its_name(name, [&] {
+    if (!choice->command.empty()) return keeper_by_command(choice->command, external);
+    throw UserError(
+        "a library keeps no points over frames, and this is a sequence; a \"command\" is expected");
+  });
+}
+
 SequenceCollider find_keeper(const ColliderChoice& choice, const ExternalOptions& external) {
+  if (external.in_process) {
+    throw UserError(
+        "--in-process: applies only to shared libraries, which take pair cases; omit it for "
+        "sequences");
+  }
   if (!choice.command.empty()) {
     if (!choice.keeps_points) {
       throw UserError(fmt::format(
@@ -40,7 +61,7 @@ SequenceCollider find_keeper(const ColliderChoice& choice, const ExternalOptions
           "points, add --sequences",
           choice.role));
     }
-    return keeper_of_command(choice.command, time_limit_of(external), external.start_seconds);
+    return keeper_by_command(choice.command, external);
   }
   try {
     return find_sequence_collider(choice.name);
@@ -64,6 +85,15 @@ std::shared_ptr<const KeeperTrial> keeper_for(const CorpusCase& given, ColliderC
   if (!choice.is_given()) {
     const bool names_one = given.expect && !given.expect->subject.empty();
     choice.name = names_one ? given.expect->subject : kUsualKeeper;
+    if (const auto named = find_named_keeper(choice.name, external)) {
+      return std::make_shared<const KeeperTrial>(*named);
+    }
+    if (!keeps_points(choice)) {
+      throw UserError(fmt::format(
+          "{}: was found with '{}', which is not built in; say how to start it: --subject-command "
+          "PROGRAM --sequences, --subjects FILE, or a file subjects.json beside the --corpus",
+          given.path, printable(choice.name)));
+    }
   }
   return std::make_shared<const KeeperTrial>(find_keeper(choice, external));
 }
@@ -86,7 +116,16 @@ std::optional<SequenceCollider> find_known_keeper(const std::string& name) {
 
 TrialOf trials_by_name(const ColliderChoice& choice, const ExternalOptions& external) {
   const bool is_given = keeps_points(choice);
-  return trials_of_keepers(find_known_keeper,
+  const auto find = [external](const std::string& name) {
+    try {
+      if (auto named = find_named_keeper(name, external)) return named;
+    } catch (const UserError& error) {
+      write_complaint(error.what());
+      return std::optional<SequenceCollider>();
+    }
+    return find_known_keeper(name);
+  };
+  return trials_of_keepers(find,
                            is_given ? std::optional(find_keeper(choice, external)) : std::nullopt);
 }
 

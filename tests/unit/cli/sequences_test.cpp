@@ -164,3 +164,21 @@ TEST_CASE("a campaign of sequences that is interrupted saves what it has found")
     CHECK(std::filesystem::exists(bucket["file"].get<std::string>()));
   }
 }
+
+TEST_CASE("what applies to pair cases alone is refused for sequences, whatever its value") {
+  const std::vector<std::string> keeper = {"--subject", "cached"};
+  const std::pair<std::vector<std::string>, std::string> refused[] = {
+      {{"generate", "--regime", "sliding", "--corpus", "corpus"}, "--corpus: applies only to pair"},
+      {with({"fuzz", "--cases", "1", "--oracle", "box2d"}, keeper),
+       "--oracle: applies only to pair"},
+      {with({"fuzz", "--cases", "1", "--in-process"}, keeper), "--in-process: applies only to"},
+      {with({"judge", "--oracle", "box2d"}, keeper), "--oracle: applies only to pair"},
+      {{"collide", "--collider", "cached", "--in-process"}, "--in-process: applies only to"}};
+  for (const auto& [command, said] : refused) {
+    CAPTURE(command);
+    const Outcome outcome = run_manifuzz(command);
+    CHECK(outcome.status == 2);
+    CHECK(is_one_clear_line(outcome.err));
+    CHECK_THAT(outcome.err, Catch::Contains(said));
+  }
+}
