@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <filesystem>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -118,6 +120,19 @@ Corpus of_campaign(Corpus corpus, const Plan& plan) {
   return corpus;
 }
 
+/// Where the page's cases lie: the one file, or the folders, which may hold fewer others than the
+/// whole corpus does.
+std::set<std::string> paths_again(const Corpus& shown) {
+  std::set<std::string> paths;
+  const std::vector<CorpusCase> cases = shown.all();
+  for (const CorpusCase& one : cases) {
+    const std::filesystem::path file(one.path);
+    const bool is_alone = cases.size() == 1 && std::filesystem::is_regular_file(file);
+    paths.insert(is_alone ? file : file.parent_path());
+  }
+  return paths;
+}
+
 /// The page of this campaign, and of what was found before between its colliders.
 std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_json& summary,
                              const FuzzArguments& options) {
@@ -131,8 +146,9 @@ std::string page_of_campaign(const Campaign& campaign, const nlohmann::ordered_j
   const std::string program = this_program();
   std::string again = is_kept ? fmt::format("{} report", program) : "";
   if (is_kept) {
-    for (const auto& folder : options.folders.all())
-      again += ' ' + quoted_for_shell(folder.string());
+    for (const std::string& path : paths_again(files.corpus)) {
+      again += ' ' + quoted_for_shell(path);
+    }
     again += ' ' + quoted_for_shell(run);
   }
   return page_of(files, colliders, kMapsUsual, {program, again});

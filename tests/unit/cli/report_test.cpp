@@ -9,6 +9,7 @@
 
 using namespace manifuzz::test;
 using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -128,6 +129,31 @@ TEST_CASE("a page of a run knows how often a bucket was met, and the command tha
     CHECK(case_named(data, known["smallest"])["bucket"] == known["bucket"]);
   }
   CHECK(worst > 0);
+}
+
+TEST_CASE("the page of a run names what makes it again: where its own cases lie") {
+  const TemporaryFolder folder;
+  const fs::path corpus = folder.path() / "found";
+  const std::string page = folder.path() / "page.html";
+  const auto page_of = [&](const std::string& cases) {
+    const Outcome outcome =
+        run_manifuzz({"fuzz", "--regime", "tie_bias", "--radius", "0", "--seed", "2", "--cases",
+                      cases, "--corpus", corpus.string(), "--json", folder.path() / "run.json",
+                      "--report", page, "--quiet"});
+    REQUIRE(outcome.status == 0);
+    return data_of(text_of(page));
+  };
+  const Json found = page_of("20000");
+  REQUIRE(found["cases"].size() > 1);
+  const fs::path first(found["cases"][0]["file"].get<std::string>());
+  const std::string folders = found["command"].get<std::string>();
+  CHECK_THAT(folders, Catch::Contains(" report " + first.parent_path().string()));
+  for (const auto& entry : fs::recursive_directory_iterator(corpus)) {
+    if (entry.is_regular_file() && entry.path().filename() != first.filename()) fs::remove(entry);
+  }
+  const Json one = page_of("1");
+  REQUIRE(one["cases"].size() == 1);
+  CHECK_THAT(one["command"].get<std::string>(), Catch::Contains(" report " + first.string() + ' '));
 }
 
 TEST_CASE("nothing in a case ends the page's script") {
