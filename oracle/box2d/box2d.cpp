@@ -150,6 +150,8 @@ std::vector<std::vector<Pose<float>>> box2d_trajectory(std::span<const WorldBody
   std::vector<std::vector<Pose<float>>> trajectory;
   for (int i = 0; i < steps; ++i) {
     world.Step(1.0F / 60, 8, 3);
+    const bool begins_to_turn = i == gravity_turn.first_step && gravity_turn.by.y() != 0;
+    if (begins_to_turn) world.SetAllowSleeping(false);  // which wakes all: gravity wakes none
     if (i >= gravity_turn.first_step) gravity = rotate(gravity_turn.by, gravity);
     world.SetGravity(box2d::to_box2d(Vector2<float>(gravity.cast<float>())));
     std::vector<Pose<float>>& poses = trajectory.emplace_back();

@@ -200,13 +200,14 @@ Memory Scene::memory() const {
   for (const auto& [place, assembly] : assemblies_) {
     of_assemblies += sizeof(place) + sizeof(assembly) + bytes_of(assembly.parts);
   }
+  std::size_t of_leavers = 0;
+  for (const LeaverWork& work : leaver_works_) of_leavers += work.bytes();
   std::size_t of_works = 0;
   for (const RowWork& work : row_works_) of_works += work.bytes();
   for (const PartnerWork& work : partner_works_) of_works += work.bytes();
-  for (const LeaverWork& work : leaver_works_) of_works += work.bytes();
   return {bytes_of(free_) + bytes_of(removed_) + bytes_of(placements_) + bytes_of(generations_) +
               bytes_of(states_) + bytes_of(paths_) + bytes_of(leave_at_) + bytes_of(boxes_) +
-              bytes_of(left_at_) + bytes_of(traits_) + of_assemblies + cells_.bytes() +
+              bytes_of(left_at_) + bytes_of(traits_) + of_assemblies + of_leavers + cells_.bytes() +
               candidates_.bytes_by_body() + bytes_of(movers_) + bytes_of(part_moves_) +
               bytes_of(left_) + bytes_of(bodies_) + bytes_of(marks_) + bytes_of(tight_),
           candidates_.bytes_by_pair() + bytes_of(contacts_) + bytes_of(kept_) + of_works +

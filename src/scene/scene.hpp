@@ -186,6 +186,7 @@ class Scene {
   void find_leavers();
   void find_leavers(const Share& share, LeaverWork& work);
   void leave(const Mover& mover, std::vector<Leaver>& left);
+  void draw_movers(std::span<const std::uint32_t> places);
   void draw_all_boxes();
   void draw_tight_boxes(std::span<const std::uint32_t> bodies);
   void part_from_partners();

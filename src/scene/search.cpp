@@ -72,6 +72,7 @@ std::size_t Scene::leaver_tasks_for(std::size_t things) {
 /// Each task looks at its share of the movers; those that left are told in the movers' order.
 void Scene::find_leavers() {
   clear_for(left_, body_count_);
+  clear_for(bodies_, body_count_);
   const std::size_t tasks = leaver_tasks_for(movers_.size());
   run(tasks, [&](std::size_t task) {
     find_leavers(share_of(movers_.size(), task, tasks), leaver_works_[task]);
@@ -87,21 +88,27 @@ void Scene::find_leavers() {
 
 /// No branch depends on whether one may have left.
 void Scene::find_leavers(const Share& share, LeaverWork& work) {
-  resize(work.unsure, share.last - share.first + 1);
-  std::uint32_t* const unsure = work.unsure.data();
+  resize(work.places, share.last - share.first + 1);
+  std::uint32_t* const unsure = work.places.data();
   std::size_t count = 0;
   for (std::size_t i = share.first; i < share.last; ++i) {
     const std::uint32_t body = movers_[i].body;
     unsure[count] = static_cast<std::uint32_t>(i);
     count += static_cast<std::size_t>(paths_[body] > leave_at_[body]);
   }
-  work.unsure.resize(count);
-  if (!all_are_boxed_) {
-    clear_for(work.bodies, body_count_);
-    for (const std::uint32_t i : work.unsure) work.bodies.push_back(movers_[i].body);
-    draw_tight_boxes(work.bodies);
+  work.places.resize(count);
+  if (!all_are_boxed_) draw_movers(work.places);
+  for (const std::uint32_t i : work.places) leave(movers_[i], work.left);
+}
+
+/// Draws the tight boxes of movers, by their places among them.
+void Scene::draw_movers(std::span<const std::uint32_t> places) {
+  std::array<std::uint32_t, 256> bodies;
+  for (std::size_t first = 0; first < places.size(); first += bodies.size()) {
+    const auto some = places.subspan(first, std::min(bodies.size(), places.size() - first));
+    std::ranges::transform(some, bodies.begin(), [&](std::uint32_t i) { return movers_[i].body; });
+    draw_tight_boxes(std::span(bodies).first(some.size()));
   }
-  for (const std::uint32_t i : work.unsure) leave(movers_[i], work.left);
 }
 
 /// Draws the tight boxes of all bodies, moved or not: in tasks, none draws what another reads; and
@@ -111,7 +118,7 @@ void Scene::draw_all_boxes() {
   const std::size_t tasks = leaver_tasks_for(places);
   run(tasks, [&](std::size_t task) {
     const auto [first, last] = share_of(places, task, tasks);
-    std::vector<std::uint32_t>& undrawn = leaver_works_[task].bodies;
+    std::vector<std::uint32_t>& undrawn = leaver_works_[task].places;
     resize(undrawn, last - first + 1);
     std::size_t count = 0;
     for (std::size_t body = first; body < last; ++body) {

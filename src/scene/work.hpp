@@ -75,14 +75,13 @@ struct Leaver {
   Box before;          ///< the box that it left
 };
 
-/// What the look at some bodies that moved needs, and what comes of it.
+/// What the look at some bodies needs, and what comes of it.
 struct LeaverWork {
-  std::vector<std::uint32_t> unsure;  ///< places among the movers of those that may have left
-  std::vector<std::uint32_t> bodies;  ///< those, where their boxes are yet to be drawn
+  std::vector<std::uint32_t> places;  ///< of bodies to be drawn, or of movers that may have left
   std::vector<Leaver> left;           ///< those that left
 
   /// The memory it takes.
-  std::size_t bytes() const { return bytes_of(unsure) + bytes_of(bodies) + bytes_of(left); }
+  std::size_t bytes() const { return bytes_of(places) + bytes_of(left); }
 };
 
 /// What the search for partners of some bodies that left their boxes needs, and what comes of it.
