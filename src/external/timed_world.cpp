@@ -73,8 +73,13 @@ std::size_t TimedWorld::contacts() {
 }
 
 bool has_timed_worlds(const std::string& path) {
-  return std::filesystem::exists(path) &&
-         dlsym(open_library(path), "manifuzz_timed_world_create") != nullptr;
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown)) return false;
+  try {
+    return dlsym(open_library(path), "manifuzz_timed_world_create") != nullptr;
+  } catch (const UserError&) {
+    return false;
+  }
 }
 
 }  // namespace manifuzz

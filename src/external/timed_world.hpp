@@ -31,7 +31,8 @@ class TimedWorld {
   decltype(&manifuzz_timed_world_destroy) destroy_ = nullptr;
 };
 
-/// Whether there is a library that has worlds: not one that was built before they were asked for.
+/// Whether there is a library that can be loaded and has worlds: not one that was built before they
+/// were asked for.
 bool has_timed_worlds(const std::string& path);
 
 }  // namespace manifuzz

@@ -34,7 +34,7 @@ void Scene::draw_undrawn(RowWork& work) {
 }
 
 /// Leaves out pairs that wait and did not touch, where their tight boxes do not overlap. No branch
-/// depends on whether they do: a pair of which nothing is proven gets that as its proof.
+/// depends on whether they do: a pair of which nothing is proven is given the proof 0.
 void Scene::leave_out_apart(RowWork& work) {
   if (!settings_.certificates) return;
   if (!all_are_boxed_) draw_undrawn(work);

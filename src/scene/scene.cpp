@@ -137,8 +137,9 @@ void Scene::place(std::span<const Move> moves) {
   movers_.resize(moved);
 }
 
-/// Those that moved become `movers`; how many they are. Arrays are held by local pointers: a byte
-/// may alias any member, and all would be loaded again after each state is written.
+/// Writes the bodies that moved to `movers` and returns how many they are. Arrays are held by local
+/// pointers: a byte may alias any member, and all would be loaded again after each state is
+/// written.
 std::size_t Scene::place(std::span<const Move> moves, Mover* movers) {
   std::size_t moved = 0;
   kernel::Placement<float>* const placements = placements_.data();

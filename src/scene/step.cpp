@@ -8,7 +8,11 @@ namespace manifuzz::scene {
 std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
                                                   const Executor& executor) {
   executor_ = executor ? &executor : nullptr;
-  if (const auto refused = find_refused(moves)) return *refused;
+  const auto refused = find_refused(moves);
+  if (refused) {
+    executor_ = nullptr;
+    return *refused;
+  }
   began_.clear();
   ended_.erase(ended_.begin(), ended_.begin() + std::exchange(ended_reported_, 0));
   renumbered_.erase(renumbered_.begin(),
@@ -19,6 +23,7 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
   begin_contacts();
   drop_parted();
   settle();
+  executor_ = nullptr;
   return result();
 }
 

@@ -66,7 +66,8 @@ int show(ShowArguments& options) {
   SubjectAndOracle& asked = options.colliders;
   asked.external.named = read_subjects({options.subjects, options.given.folders.all()});
   if (const OtherKind* const kind = kind_for(given.any)) {
-    expect_none_of(*kind, {{"--oracle", asked.oracle.is_given()},
+    expect_none_of(*kind, {{"--oracle", !asked.oracle.name.empty()},
+                           {"--oracle-command", !asked.oracle.command.empty()},
                            {"--curve", !options.curve.empty()},
                            {"--map", options.map.has_value()},
                            {"--upstream", options.upstream},

@@ -53,6 +53,8 @@ int shrink_folder(const ShrinkArguments& options) {
 /// By those that were asked for, or else the usual ones; of other kinds the one that it names.
 std::shared_ptr<const Trial> trial_of(const CorpusCase& given, SubjectAndOracle asked) {
   if (const OtherKind* const kind = kind_for(given.any)) {
+    expect_none_of(*kind, {{"--oracle", !asked.oracle.name.empty()},
+                           {"--oracle-command", !asked.oracle.command.empty()}});
     return kind->trial(given, asked.subject, asked.external);
   }
   if (!asked.subject.is_given()) asked.subject.name = "clip";

@@ -1,6 +1,7 @@
 #include "scene/threads.hpp"
 
 #include <atomic>
+#include <cmath>
 #include <cstring>
 
 #include <catch2/catch.hpp>
@@ -30,13 +31,15 @@ struct Divided : test::OwnScene {
 /// them in one step or few.
 class Drift {
  public:
-  Drift() : random_(test::motion(5)) {
+  explicit Drift(int bodies = 900, const scene::Settings& settings = {})
+      : scene(settings), random_(test::motion(5)) {
+    const auto width = static_cast<float>(8 * std::sqrt(bodies / 900.0));
     for (const auto& shape : test::shapes_for_scenes()) scene.add_shape(shape);
     const int last = static_cast<int>(test::shapes_for_scenes().size()) - 1;
-    for (int i = 0; i < 900; ++i) {
+    for (int i = 0; i < bodies; ++i) {
       const auto shape = static_cast<std::uint32_t>(random_.integer(0, last));
       Pose<float> pose = test::anywhere(random_.bits());
-      pose.position *= 8;
+      pose.position *= width;
       bodies_.push_back(std::get<BodyHandle>(scene.add(shape, pose)));
     }
   }
@@ -87,27 +90,45 @@ TEST_CASE("each task is run once, by any number of threads, call after call") {
   }
 }
 
+namespace {
+
+/// Steps of both kinds follow each other.
+void check_divided(Drift& alone, Drift& divided, const scene::Executor& executor, int steps) {
+  for (int number = 0; number < steps; ++number) {
+    CAPTURE(number);
+    const auto right = alone.step(number, {});
+    const bool is_divided = number % 7 != 3;
+    const auto result = divided.step(number, is_divided ? executor : scene::Executor());
+    REQUIRE(same_contacts(result.contacts, right.contacts));
+    CHECK(same(result.began, right.began));
+    CHECK(same(result.ended, right.ended));
+    CHECK(same(result.renumbered, right.renumbered));
+    CHECK(result.stayed == right.stayed);
+    CHECK(std::memcmp(&result.counts, &right.counts, sizeof(result.counts)) == 0);
+    CHECK(divided.scene.pair_count() == alone.scene.pair_count());
+  }
+  CHECK(alone.scene.pair_count() > 900);
+}
+
+}  // namespace
+
 TEST_CASE("a step has the same contacts, order and counts by any number of threads, or none") {
   for (const std::size_t count : {1, 2, 3}) {
     CAPTURE(count);
     scene::Threads threads(count);
     Drift alone;
     Drift divided;
-    for (int number = 0; number < 25; ++number) {
-      CAPTURE(number);
-      const auto right = alone.step(number, {});
-      const bool is_divided = number % 7 != 3;  // steps of both kinds follow each other
-      const auto result =
-          divided.step(number, is_divided ? scene::Executor(std::ref(threads)) : scene::Executor());
-      REQUIRE(same_contacts(result.contacts, right.contacts));
-      CHECK(same(result.began, right.began));
-      CHECK(same(result.ended, right.ended));
-      CHECK(same(result.renumbered, right.renumbered));
-      CHECK(result.stayed == right.stayed);
-      CHECK(std::memcmp(&result.counts, &right.counts, sizeof(result.counts)) == 0);
-      CHECK(divided.scene.pair_count() == alone.scene.pair_count());
-    }
-    CHECK(alone.scene.pair_count() > 900);
+    check_divided(alone, divided, std::ref(threads), 25);
+  }
+}
+
+TEST_CASE("a step of few movers among many, and one that recycles, is the same by threads") {
+  scene::Threads threads(2);
+  for (const float motion : {0.0F, 0.05F}) {
+    CAPTURE(motion);
+    Drift alone(8000, {.recycled_motion = motion});
+    Drift divided(8000, {.recycled_motion = motion});
+    check_divided(alone, divided, std::ref(threads), 10);
   }
 }
 

@@ -191,7 +191,8 @@ function recyclingChart(scenes, quantity) {
 }
 
 // How much faster than Box2D, and what was skipped for which reason.
-function sceneParts({ rows = [], exponents = [], recycling = [] }) {
+function sceneParts({ rows: all = [], exponents = [], recycling = [] }) {
+  const rows = all.filter(({ baseline = "box2d" }) => baseline === "box2d");
   const drawn = element("div", {}, sceneTable(rows),
     legend(sceneShares(rows[0] ?? {}).map(({ name, color }) => [color, name]), "swatch block-swatch"));
   explainTargets(drawn, ".mark-target", (node) => node.dataset.lines.split("|"));

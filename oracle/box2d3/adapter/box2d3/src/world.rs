@@ -18,11 +18,11 @@ const SUB_STEPS: i32 = 1;
 pub struct Box2dWorld {
     id: b2WorldId,
     bodies: Vec<b2BodyId>,
-    /// Those that have a velocity.
+    /// The bodies that have a velocity.
     moving: Vec<u32>,
 }
 
-/// Of the area: Box2D takes a body's extent from it, by which it recycles.
+/// The area's: Box2D takes a body's extent from it, by which it recycles.
 fn centroid(vertices: &[Float2]) -> b2Vec2 {
     let first = vertices[0];
     let [mut x, mut y, mut doubled_area] = [0.0; 3];
@@ -46,7 +46,7 @@ impl Box2dWorld {
         }
     }
 
-    /// Those with a point that is no gap: Box2D has contacts for speculative ones too.
+    /// Counts pairs with a point that is no gap: Box2D has contacts for speculative ones too.
     fn contacts_of(&self, body: b2BodyId) -> usize {
         // SAFETY: there is room for as many as it has, and it says how many it filled in.
         let all = unsafe {
@@ -66,7 +66,7 @@ impl Box2dWorld {
     /// From where the body is now, so that no rounding adds up. b2IntegrateRotation turns by the
     /// arc tangent of what it is told.
     fn send(&self, to: &Move) {
-        // SAFETY: as above.
+        // SAFETY: the body is one of this world's.
         let at = unsafe { b2Body_GetTransform(self.bodies[to.body as usize]) };
         let linear = b2Vec2 {
             x: (to.position.x - at.p.x) / STEP_SECONDS,
@@ -103,12 +103,12 @@ impl TimedWorld for Box2dWorld {
         Some(Self { id, bodies: Vec::new(), moving: Vec::new() })
     }
 
-    /// Dynamic, for what is not pairs with nothing; without mass, for nothing pushes that.
+    /// Dynamic: Box2D pairs no two bodies that are not. Without mass: nothing pushes those.
     fn add(&mut self, body: &Body) -> bool {
         if body.vertices().len() < 3 {
             return false;
         }
-        // SAFETY: as above; shapes are copied.
+        // SAFETY: the world is there until it is dropped, and shapes are copied.
         unsafe {
             let mut definition = b2DefaultBodyDef();
             definition.type_ = b2BodyType_b2_dynamicBody;
@@ -136,7 +136,7 @@ impl TimedWorld for Box2dWorld {
             self.send(to);
             self.moving.push(to.body);
         }
-        // SAFETY: as above.
+        // SAFETY: the world is there until it is dropped.
         let profile = unsafe {
             b2World_Step(self.id, STEP_SECONDS, SUB_STEPS);
             b2World_GetProfile(self.id)

@@ -27,7 +27,7 @@ pub trait TimedWorld: Sized {
 macro_rules! export_timed_world {
     ($world:ty) => {
         /// # Safety
-        /// As manifuzz_timed_world.h says, as of all below.
+        /// The caller keeps to manifuzz_timed_world.h.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn manifuzz_timed_world_create(
             name: *const std::ffi::c_char,
@@ -40,7 +40,7 @@ macro_rules! export_timed_world {
         }
 
         /// # Safety
-        /// As above.
+        /// The caller keeps to manifuzz_timed_world.h.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn manifuzz_timed_world_add(
             world: *mut $world,
@@ -50,7 +50,7 @@ macro_rules! export_timed_world {
         }
 
         /// # Safety
-        /// As above.
+        /// The caller keeps to manifuzz_timed_world.h.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn manifuzz_timed_world_step(
             world: *mut $world,
@@ -65,14 +65,14 @@ macro_rules! export_timed_world {
         }
 
         /// # Safety
-        /// As above.
+        /// The caller keeps to manifuzz_timed_world.h.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn manifuzz_timed_world_contacts(world: *mut $world) -> i64 {
             unsafe { $crate::TimedWorld::contacts(&mut *world) }
         }
 
         /// # Safety
-        /// As above.
+        /// The caller keeps to manifuzz_timed_world.h.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn manifuzz_timed_world_destroy(world: *mut $world) {
             drop(unsafe { Box::from_raw(world) });
