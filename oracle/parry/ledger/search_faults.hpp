@@ -209,6 +209,16 @@ bool touching_of_gjk(const Deviation& d) {
   return std::abs(apart) <= relative_of<Engine>() * reach_of_difference(d) + bound_of(d);
 }
 
+/// No contact of shapes that overlap by no more than GJK's tolerance: a corner as near to the
+/// origin as that is taken for one at the origin, and how far it lies before it for a gap.
+template <class Engine>
+bool is_gap_of_corner(const Deviation& d) {
+  const auto replay = as_reported<Engine>(d);
+  const double tolerance = 10 * kEpsilonOf<Engine> + bound_of(d);
+  return replay && d.got.count == 0 && replay->gjk.end == GjkEnd::on_simplex &&
+         replay->epa.end == EpaEnd::corner && std::abs(shapes_apart(d, *replay)) <= tolerance;
+}
+
 /// EPA gives the first new face that is nearer than the one it came from: the origin was within
 /// GJK's tolerance of the simplex, or, if it had gone on, it would have ended within its own. Or
 /// the simplex is a chord, of whose sides it takes the farther one for the nearer, and with the
@@ -216,6 +226,7 @@ bool touching_of_gjk(const Deviation& d) {
 template <class Engine>
 bool origin_within_tolerance(const Deviation& d) {
   const auto replay = replay_by<Engine>(d, kSearches);
+  if (d.kind == Kind::missed_contact && is_gap_of_corner<Engine>(d)) return true;
   if (!replay) return false;
   if (replay->gjk.end == GjkEnd::on_simplex && replay->epa.end == EpaEnd::corner &&
       d.kind == Kind::phantom_contact) {
