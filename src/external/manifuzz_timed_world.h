@@ -28,9 +28,8 @@ manifuzz_timed_world* manifuzz_timed_world_create(const char* name);
 int manifuzz_timed_world_add(manifuzz_timed_world* world, const manifuzz_body* body);
 
 /* One step, at whose end these bodies are where `moves` has them, and all others rest; `moves` may
-   be NULL where `count` is 0. Gives the
-   nanoseconds that the engine's own clock says its work on contacts took, on one thread: on those
-   of where bodies were or of where they are. */
+   be NULL where `count` is 0. Gives the nanoseconds that the engine's own clock says its work on
+   contacts took, on one thread: on those of where bodies were or of where they are. */
 double manifuzz_timed_world_step(manifuzz_timed_world* world, const manifuzz_move* moves,
                                  int32_t count);
 

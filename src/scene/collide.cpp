@@ -42,7 +42,7 @@ void Scene::leave_out_apart(RowWork& work) {
   const std::size_t count = std::exchange(apart.count, 0);
   const Box* const tight = tight_.data();
   for (std::size_t i = 0; i < count; ++i) {
-    __builtin_prefetch(&tight[apart.b[std::min(i + kContactsAhead, count - 1)]]);
+    __builtin_prefetch(&tight[apart.b[ahead_of(i, kContactsAhead, count)]]);
     const kernel::BodyPair bodies = apart.bodies(i);
     const std::uint32_t place = apart.at[i];
     const float room = gap(tight[bodies.a], tight[bodies.b]);
@@ -60,7 +60,7 @@ template <class Out>
 void Scene::collide(const Queue& queue, const Out& out, RowWork& work) {
   kernel::PairStream<float> stream(shapes_.for_pairs(), placements_, settings_.tie_bias);
   for (std::size_t i = 0; i < queue.count; ++i) {
-    __builtin_prefetch(&placements_[queue.b[std::min(i + kContactsAhead, queue.count - 1)]]);
+    __builtin_prefetch(&placements_[queue.b[ahead_of(i, kContactsAhead, queue.count)]]);
     stream.push(queue.bodies(i), out(i));
   }
   stream.finish();
@@ -77,7 +77,7 @@ void Scene::collide_waiting(RowWork& work) {
 void Scene::collide_touching(RowWork& work) {
   Queue& queue = work.touching;
   const auto out = [&](std::size_t i) -> Manifold<float>& {
-    __builtin_prefetch(&contacts_[queue.at[std::min(i + kContactsAhead, queue.count - 1)]]);
+    __builtin_prefetch(&contacts_[queue.at[ahead_of(i, kContactsAhead, queue.count)]]);
     return contacts_[queue.at[i]].manifold;
   };
   collide(queue, out, work);

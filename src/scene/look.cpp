@@ -37,9 +37,8 @@ void Scene::look_at_candidates() {
     look_at_rows(0, rows, all);
   } else {
     mark_bodies();
-    run(kTasks, [&](std::size_t task) {
-      const auto [first, last] = share_of(rows, task, kTasks);
-      look_at_rows(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last),
+    divide(rows, kTasks, [&](const Share& share, std::size_t task) {
+      look_at_rows(static_cast<std::uint32_t>(share.first), static_cast<std::uint32_t>(share.last),
                    row_works_[task]);
     });
   }
@@ -58,10 +57,8 @@ void Scene::prepare_works(std::size_t count) {
 
 void Scene::mark_bodies() {
   resize(marks_, states_.size());
-  const std::size_t tasks = tasks_for(marks_.size());
-  run(tasks, [&](std::size_t task) {
-    const auto [first, last] = share_of(marks_.size(), task, tasks);
-    for (std::size_t body = first; body < last; ++body) {
+  divide(marks_.size(), tasks_for(marks_.size()), [&](const Share& share, std::size_t) {
+    for (std::size_t body = share.first; body < share.last; ++body) {
       marks_[body] = mark_of(paths_[body], states_[body] & (kMoved | kLeft));
     }
   });
@@ -106,7 +103,7 @@ void Scene::look_at_row(std::uint32_t a, RowWork& work) {
 void Scene::leave_out_overlapping(Queue& leaving) const {
   const std::size_t count = std::exchange(leaving.count, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    __builtin_prefetch(&boxes_[leaving.b[std::min(i + kContactsAhead, count - 1)]]);
+    __builtin_prefetch(&boxes_[leaving.b[ahead_of(i, kContactsAhead, count)]]);
     const kernel::BodyPair bodies = leaving.bodies(i);
     leaving.push(bodies, leaving.at[i], !overlap(bodies.a, bodies.b));
   }

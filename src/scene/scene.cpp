@@ -124,8 +124,8 @@ void Scene::place(std::span<const Move> moves) {
       std::ranges::adjacent_find(moves, std::ranges::greater_equal{}, place_of) == moves.end();
   const std::size_t tasks = may_divide ? tasks_for(moves.size()) : 1;
   std::array<std::size_t, kTasks> counts{};
-  run(tasks, [&](std::size_t task) {
-    const auto [first, last] = share_of(moves.size(), task, tasks);
+  divide(moves.size(), tasks, [&](const Share& share, std::size_t task) {
+    const auto [first, last] = share;
     counts[task] = place(moves.subspan(first, last - first), movers_.data() + before + first);
   });
   std::size_t moved = before;

@@ -166,6 +166,11 @@ class Scene {
     if (tasks > 1) return (*executor_)(tasks, std::cref(task));
     task(0);
   }
+  /// `act(share, task)` of each of so many tasks, among which so many things are divided.
+  template <class Act>
+  void divide(std::size_t things, std::size_t tasks, const Act& act) const {
+    run(tasks, [&](std::size_t task) { act(share_of(things, task, tasks), task); });
+  }
 
   /// `act(k)` of each of the works on rows, in which there are so many things in all.
   template <class Act>

@@ -74,9 +74,8 @@ void Scene::find_leavers() {
   clear_for(left_, body_count_);
   clear_for(bodies_, body_count_);
   const std::size_t tasks = leaver_tasks_for(movers_.size());
-  run(tasks, [&](std::size_t task) {
-    find_leavers(share_of(movers_.size(), task, tasks), leaver_works_[task]);
-  });
+  divide(movers_.size(), tasks,
+         [&](const Share& share, std::size_t task) { find_leavers(share, leaver_works_[task]); });
   for (LeaverWork& work : std::span(leaver_works_).first(tasks)) {
     for (const Leaver& leaver : work.left) {
       left_at_[leaver.body] = static_cast<std::uint32_t>(left_.size());
@@ -115,9 +114,8 @@ void Scene::draw_movers(std::span<const std::uint32_t> places) {
 /// where most are asked for, it is faster than to find out which.
 void Scene::draw_all_boxes() {
   const std::size_t places = states_.size();
-  const std::size_t tasks = leaver_tasks_for(places);
-  run(tasks, [&](std::size_t task) {
-    const auto [first, last] = share_of(places, task, tasks);
+  divide(places, leaver_tasks_for(places), [&](const Share& share, std::size_t task) {
+    const auto [first, last] = share;
     std::vector<std::uint32_t>& undrawn = leaver_works_[task].places;
     resize(undrawn, last - first + 1);
     std::size_t count = 0;
@@ -207,10 +205,9 @@ void Scene::refile() {
 void Scene::find_all_partners() {
   const std::size_t tasks = tasks_for(left_.size());
   if (partner_works_.size() < tasks) partner_works_.resize(tasks);
-  run(tasks, [&](std::size_t task) {
+  divide(left_.size(), tasks, [&](const Share& share, std::size_t task) {
     PartnerWork& work = partner_works_[task];
-    const auto [first, last] = share_of(left_.size(), task, tasks);
-    for (std::size_t i = first; i < last; ++i) find_partners(left_[i].body, work);
+    for (std::size_t i = share.first; i < share.last; ++i) find_partners(left_[i].body, work);
   });
   for (const Leaver& leaver : left_) {
     states_[leaver.body] &= static_cast<std::uint8_t>(~kAlone);
@@ -251,7 +248,7 @@ void Scene::leave_out_forbidden(std::size_t first, std::vector<kernel::BodyPair>
 
 void Scene::add_candidates(std::vector<kernel::BodyPair>& adding) {
   for (std::size_t i = 0; i < adding.size(); ++i) {
-    candidates_.prefetch(adding[std::min(i + kRowsAhead, adding.size() - 1)].a);
+    candidates_.prefetch(adding[ahead_of(i, kRowsAhead, adding.size())].a);
     candidates_.add(adding[i].a, adding[i].b);
   }
   counts_.pairs_added += adding.size();

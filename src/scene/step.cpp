@@ -35,9 +35,8 @@ void Scene::settle() {
   if (few_moved_) {
     for (const Mover& mover : movers_) settled(states_[mover.body]);
   } else {
-    const std::size_t tasks = tasks_for(states_.size());
-    run(tasks, [&](std::size_t task) {
-      const auto [first, last] = share_of(states_.size(), task, tasks);
+    divide(states_.size(), tasks_for(states_.size()), [&](const Share& share, std::size_t) {
+      const auto [first, last] = share;
       std::ranges::for_each(std::span(states_).subspan(first, last - first), settled);
     });
   }
@@ -82,7 +81,7 @@ void Scene::begin_contacts() {
 void Scene::begin_contacts(std::span<const Beginning> beginning, std::size_t begun,
                            std::size_t behind_last) {
   for (std::size_t i = 0; i < beginning.size(); ++i, ++begun) {
-    __builtin_prefetch(beginning[std::min(i + kContactsAhead, beginning.size() - 1)].candidate);
+    __builtin_prefetch(beginning[ahead_of(i, kContactsAhead, beginning.size())].candidate);
     const auto& [bodies, candidate, manifold] = beginning[i];
     const std::uint32_t contact =
         begun < vacant_.size() ? vacant_[begun] : static_cast<std::uint32_t>(behind_last + begun);

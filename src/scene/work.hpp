@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -25,6 +26,11 @@ inline Share share_of(std::size_t things, std::size_t task, std::size_t tasks) {
 
 /// So many pairs ahead, contacts and candidates are asked for: they lie anywhere in memory.
 inline constexpr std::size_t kContactsAhead = 16;
+
+/// The place so far ahead of one among so many, or the last one.
+inline std::size_t ahead_of(std::size_t place, std::size_t by, std::size_t count) {
+  return std::min(place + by, count - 1);
+}
 
 /// A pair that begins to touch.
 struct Beginning {

@@ -225,8 +225,8 @@ bool is_gap_of_corner(const Deviation& d) {
 /// signs of both mended the answer is right.
 template <class Engine>
 bool origin_within_tolerance(const Deviation& d) {
-  const auto replay = replay_by<Engine>(d, kSearches);
   if (d.kind == Kind::missed_contact && is_gap_of_corner<Engine>(d)) return true;
+  const auto replay = replay_by<Engine>(d, kSearches);
   if (!replay) return false;
   if (replay->gjk.end == GjkEnd::on_simplex && replay->epa.end == EpaEnd::corner &&
       d.kind == Kind::phantom_contact) {
