@@ -94,13 +94,19 @@ std::map<std::string, BenchErrors> measure_errors(const std::vector<BenchSubject
                                                   std::span<const PairCase> pairs);
 
 /// What no kernel can beat, timed beside them, for one instruction set: the arithmetic of the pairs
-/// in full lanes, all of it independent, and the bytes of packed pairs and their manifolds, read
-/// and written once.
+/// in full lanes, all of it independent, by either way to know separations; and the bytes of packed
+/// pairs and their manifolds, read and written once.
 std::vector<BenchSubject> limits(const std::string& target);
+
+/// What the separation of a face is computed from.
+enum class Opposing {
+  every_corner,  ///< all corners of the other polygon: the deepest is not known
+  support        ///< the deepest corner alone, as if a step before had told which it is
+};
 
 /// Additions, subtractions, multiplications, quotients and comparisons that the manifold of a pair
 /// takes, from poses to depths; `touches` says whether there is anything to clip.
-int operations(int count_a, int count_b, bool touches);
+int operations(int count_a, int count_b, bool touches, Opposing opposing);
 
 /// One subject over one workload.
 struct BenchRow {

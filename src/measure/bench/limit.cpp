@@ -65,13 +65,13 @@ HWY_EXPORT(move);
 
 using Pass = std::function<void()>;
 
-Pass arithmetic_pass(std::span<const PairCase> pairs) {
+Pass arithmetic_pass(std::span<const PairCase> pairs, Opposing opposing) {
   std::size_t total = 0;
   for (const PairCase& pair : pairs) {
     const auto manifold =
         clipping::collide(pair.a.polygon, pair.b.polygon, relative_pose(pair.a.pose, pair.b.pose));
     total += static_cast<std::size_t>(
-        operations(pair.a.polygon.count, pair.b.polygon.count, manifold.count > 0));
+        operations(pair.a.polygon.count, pair.b.polygon.count, manifold.count > 0, opposing));
   }
   const std::size_t per_lane = total / kernel::kBlockPairs;
   return [per_lane, values = std::make_shared<kernel::Row<float>>()] {
@@ -96,10 +96,11 @@ Pass bytes_pass(std::span<const PairCase> pairs) {
 
 }  // namespace
 
-int operations(int count_a, int count_b, bool touches) {
+int operations(int count_a, int count_b, bool touches, Opposing opposing) {
   const int place = 8 + 6 + (8 + 6) * count_b;  // the relative pose; B's vertices and normals
-  const int separate = 10 * count_a * count_b + count_a + count_b;
-  const int incident = 4 * (count_a + count_b) / 2;
+  const int faces = count_a + count_b;
+  const int separate = opposing == Opposing::support ? 5 * faces : 10 * count_a * count_b + faces;
+  const int incident = 4 * faces / 2;
   const int clip = 2 * (12 + 4 + 6) + 2;  // a plane: two offsets, comparisons, a crossing
   const int keep = 2 * 7;
   return place + separate + (touches ? incident + clip + keep : 0);
@@ -107,11 +108,19 @@ int operations(int count_a, int count_b, bool touches) {
 
 std::vector<BenchSubject> limits(const std::string& target) {
   const auto limit = [&](const char* query, const char* input,
-                         Pass (*pass)(std::span<const PairCase>)) {
-    return BenchSubject{
-        .name = "limit", .query = query, .input = input, .target = target, .prepare = pass};
+                         std::function<Pass(std::span<const PairCase>)> pass) {
+    return BenchSubject{.name = "limit",
+                        .query = query,
+                        .input = input,
+                        .target = target,
+                        .prepare = std::move(pass)};
   };
-  return {limit("arithmetic", "lanes", arithmetic_pass), limit("bytes", "packed", bytes_pass)};
+  const auto arithmetic = [](Opposing opposing) {
+    return [opposing](std::span<const PairCase> pairs) { return arithmetic_pass(pairs, opposing); };
+  };
+  return {limit("arithmetic", "lanes", arithmetic(Opposing::every_corner)),
+          limit("supports", "lanes", arithmetic(Opposing::support)),
+          limit("bytes", "packed", bytes_pass)};
 }
 
 }  // namespace manifuzz
