@@ -4,6 +4,16 @@
 
 namespace manifuzz::kernel {
 
+#ifdef HWY_COMPILE_ONLY_STATIC
+
+std::vector<std::string> targets() {
+  return {hwy::TargetName(HWY_STATIC_TARGET)};
+}
+
+void use_target(const std::string&) {}
+
+#else
+
 std::vector<std::string> targets() {
   hwy::SetSupportedTargetsForTest(0);
   std::vector<std::string> names;
@@ -20,5 +30,7 @@ void use_target(const std::string& name) {
   }
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
+
+#endif
 
 }  // namespace manifuzz::kernel
