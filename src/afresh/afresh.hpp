@@ -18,7 +18,8 @@ struct Touching {
 
 /// The contacts of all bodies, every pair afresh: each body's box, the boxes filed by counting, and
 /// what overlaps collided. The simplest scene there is. It keeps nothing from call to call but its
-/// memory.
+/// memory. Where that runs out, calls throw std::bad_alloc: a shape is not added, and the next
+/// `collide` is as right as any.
 class Afresh {
  public:
   /// `tie_bias` is a length >= 0.

@@ -1,5 +1,7 @@
 #include "afresh/shape_table.hpp"
 
+#include "afresh/lists.hpp"
+
 namespace manifuzz::scene {
 namespace {
 
@@ -62,9 +64,12 @@ std::variant<std::uint32_t, Defect> ShapeTable::add(const ConvexPolygon<float>& 
     if (!(sharpness >= kSharpnessMin)) return Defect::shape_too_sharp;
     padded_by = padding(reach_up, shape.radius + tie_bias_, sharpness);
   }
+  make_room(facts_, facts_.size() + 1);
+  make_room(rows_, rows_.size() + 1);
+  const std::uint32_t index = for_pairs_.add(shape);
   facts_.push_back({reach_up, shape.radius, padded_by});
   rows_.push_back(kernel::rows_of(shape));
-  return for_pairs_.add(shape);
+  return index;
 }
 
 }  // namespace manifuzz::scene

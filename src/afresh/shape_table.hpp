@@ -66,7 +66,8 @@ class ShapeTable {
   /// `tie_bias` is the kernels', a length >= 0: it takes part in what a shape's padding must cover.
   explicit ShapeTable(float tie_bias) : tie_bias_(tie_bias) {}
 
-  /// The new shape's index, or why it is refused.
+  /// The new shape's index, or why it is refused; nothing has changed where it is, or where memory
+  /// runs out, which throws std::bad_alloc.
   std::variant<std::uint32_t, Defect> add(const ConvexPolygon<float>& shape);
 
   /// How many shapes there are: their indices are below it.

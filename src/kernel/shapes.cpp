@@ -10,10 +10,21 @@ unsigned kind_of(const ConvexPolygon<Scalar>& polygon) {
   return polygon.count == 1 ? kCircle : kRoundCore;
 }
 
+/// So that the next element needs no memory.
+template <class Vector>
+void make_room_for_one(Vector& vector) {
+  if (vector.size() == vector.capacity()) vector.reserve(2 * vector.size() + 1);
+}
+
 }  // namespace
 
 template <class Scalar>
 std::uint32_t Shapes<Scalar>::add(const ConvexPolygon<Scalar>& polygon) {
+  make_room_for_one(polygons_);
+  make_room_for_one(corners_);
+  make_room_for_one(kinds_);
+  make_room_for_one(counts_);
+  make_room_for_one(radii_);
   Scalar* scalar = corners_.emplace_back().scalars.data();
   for (int i = 0; i < kMaxVertices; ++i) {
     const int corner = i < polygon.count ? i : 0;

@@ -31,7 +31,8 @@ enum ShapeKind : unsigned {
 template <class Scalar>
 class Shapes {
  public:
-  /// The new shape's index: 0, 1, 2, ... The shape must be free of defects.
+  /// The new shape's index: 0, 1, 2, ... The shape must be free of defects. Where memory runs out,
+  /// std::bad_alloc is thrown, and nothing has changed.
   std::uint32_t add(const ConvexPolygon<Scalar>& polygon);
 
   /// A shape, as the kernels fetch it, in its own frame.

@@ -75,4 +75,16 @@ struct StepResult {
   StepCounts counts;                    ///< what was done, and what was skipped
 };
 
+/// The first move of a step that is refused, and why.
+struct RefusedMove {
+  std::size_t index = 0;  ///< among the moves of the step
+  Defect defect{};        ///< why
+};
+
+/// What a scene takes.
+struct Memory {
+  std::size_t bodies = 0;  ///< bytes
+  std::size_t pairs = 0;   ///< bytes, of contacts and of those that wait for the kernel too
+};
+
 }  // namespace manifuzz::scene

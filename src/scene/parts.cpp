@@ -9,13 +9,37 @@
 
 namespace manifuzz::scene {
 
+/// `act(place)` of each part of a body.
+template <class Act>
+void Scene::for_each_part(BodyHandle body, const Act& act) const {
+  const auto assembly = assemblies_.find(body.index);
+  if (assembly == assemblies_.end()) return act(body.index);
+  for (const Assembly::Part& part : assembly->second.parts) act(part.handle.index);
+}
+
+std::optional<Defect> Scene::remove(BodyHandle handle) {
+  if (!is_known(handle)) return Defect::unknown_body;
+  std::size_t parts = 0;
+  std::size_t contacts = 0;
+  for_each_part(handle, [&](std::uint32_t place) {
+    ++parts;
+    contacts += contacts_of(place);
+  });
+  make_room(removed_, removed_.size() + parts);
+  make_room(ended_, ended_.size() + contacts);
+  make_room(renumbered_, renumbered_.size() + contacts);
+  for_each_part(handle, [&](std::uint32_t place) { leave_place(place); });
+  assemblies_.erase(handle.index);
+  return std::nullopt;
+}
+
 /// Scenes whose bodies have none hold no array of them.
 void Scene::set_traits(std::uint32_t body, const Traits& traits) {
   const bool is_plain = traits.rules == Rules{} && traits.name == PartName{handle(body)};
   if (traits_.empty() && is_plain) return;
+  make_room(traits_, placements_.size());
   for (auto place = static_cast<std::uint32_t>(traits_.size()); place < placements_.size();
        ++place) {
-    make_room(traits_, place + 1);
     // A body that was removed, and whose end is yet to be told, had the generation before.
     const std::uint32_t generation = generations_[place] - (generations_[place] % 2 == 0 ? 1 : 0);
     traits_.push_back({{}, {{place, generation}}});
@@ -25,21 +49,23 @@ void Scene::set_traits(std::uint32_t body, const Traits& traits) {
 
 std::optional<Defect> Scene::set_filter(BodyHandle body, const Filter& filter) {
   if (!is_known(body)) return Defect::unknown_body;
-  const auto assembly = assemblies_.find(body.index);
-  if (assembly == assemblies_.end()) {
-    refilter(body.index, filter);
-    return std::nullopt;
+  if (rules(body).filter == filter) return std::nullopt;
+  try {
+    for_each_part(body, [&](std::uint32_t place) {
+      Traits traits = traits_.empty() ? Traits{{}, {handle(place)}} : traits_[place];
+      traits.rules.filter = filter;
+      set_traits(place, traits);
+    });
+    for_each_part(body, [&](std::uint32_t place) { refilter(place); });
+  } catch (...) {
+    forget_pairs();
+    throw;
   }
-  for (const Assembly::Part& part : assembly->second.parts) refilter(part.handle.index, filter);
   return std::nullopt;
 }
 
 /// Candidates are the pairs that may touch: those that no longer may are dropped, others are added.
-void Scene::refilter(std::uint32_t body, const Filter& filter) {
-  Traits traits = traits_.empty() ? Traits{{}, {handle(body)}} : traits_[body];
-  if (traits.rules.filter == filter) return;
-  traits.rules.filter = filter;
-  set_traits(body, traits);
+void Scene::refilter(std::uint32_t body) {
   if (!is(body, kFiled)) return;  // its partners are yet to be found
   for (const std::uint32_t other : cells_.near(boxes_[body])) {
     if (other == body) continue;
@@ -63,7 +89,13 @@ std::variant<BodyHandle, Defect> Scene::add(std::span<const BodyPart> parts,
     if (const auto defect = find_defect(part.pose)) return *defect;
     if (const auto defect = find_defect(composed(pose, part.pose))) return *defect;
   }
+  // All that needs memory comes first: its own node among the others, too.
   Assembly assembly{pose, {}};
+  assembly.parts.reserve(parts.size());
+  decltype(assemblies_) of_one;
+  of_one.try_emplace(0);
+  assemblies_.reserve(assemblies_.size() + 1);
+  make_room_for(parts.size(), true);
   for (const BodyPart& part : parts) {
     const std::uint32_t place = take_place(part.shape, composed(pose, part.pose));
     assembly.parts.push_back({handle(place), part.pose});
@@ -72,7 +104,10 @@ std::variant<BodyHandle, Defect> Scene::add(std::span<const BodyPart> parts,
     set_traits(place, {rules, {body, number}});
   }
   const BodyHandle body = assembly.parts.front().handle;
-  assemblies_.insert_or_assign(body.index, std::move(assembly));
+  auto node = of_one.extract(0);
+  node.key() = body.index;
+  node.mapped() = std::move(assembly);
+  assemblies_.insert(std::move(node));
   return body;
 }
 
@@ -122,11 +157,13 @@ std::span<const Move> Scene::moves_of_parts(std::span<const Move> moves) {
       part_moves_.push_back(move);
       continue;
     }
-    Assembly& assembly = found->second;
-    assembly.pose = move.pose;
-    for (const Assembly::Part& part : assembly.parts) {
+    for (const Assembly::Part& part : found->second.parts) {
       part_moves_.push_back({part.handle, composed(move.pose, part.pose)});
     }
+  }
+  for (const Move& move : moves) {
+    const auto found = assemblies_.find(move.body.index);
+    if (found != assemblies_.end()) found->second.pose = move.pose;
   }
   return part_moves_;
 }

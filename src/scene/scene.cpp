@@ -22,27 +22,35 @@ std::variant<BodyHandle, Defect> Scene::add(std::uint32_t shape, const Pose<floa
                                             const Rules& rules) {
   if (shape >= shapes_.size()) return Defect::unknown_shape;
   if (const auto defect = find_defect(pose)) return *defect;
+  make_room_for(1, !(rules == Rules{}));
   const std::uint32_t body = take_place(shape, pose);
   set_traits(body, {rules, {handle(body)}});
   return handle(body);
 }
 
-/// A place for a body that has this shape and no traits yet.
+/// So that so many can be added, and need no memory then.
+void Scene::make_room_for(std::size_t bodies, bool with_traits) {
+  const std::size_t places =
+      placements_.size() + (bodies > free_.size() ? bodies - free_.size() : 0);
+  const auto make = [places](auto&... by_body) { (make_room(by_body, places), ...); };
+  make(placements_, generations_, states_, paths_, leave_at_, boxes_, tight_, left_at_);
+  if (with_traits || !traits_.empty()) make_room(traits_, places);
+  make_room(free_, 1);
+  make_room(movers_, movers_.size() + bodies);
+}
+
+/// A place, for which there is room, of a body that has this shape and no traits yet.
 std::uint32_t Scene::take_place(std::uint32_t shape, const Pose<float>& pose) {
   if (free_.empty()) {
     free_.push_back(static_cast<std::uint32_t>(placements_.size()));
-    const auto append = [](auto& by_body, auto value) {
-      make_room(by_body, by_body.size() + 1);
-      by_body.push_back(value);
-    };
-    append(placements_, kernel::Placement<float>{});
-    append(generations_, 0U);
-    append(states_, std::uint8_t{0});
-    append(paths_, kNoPath);
-    append(leave_at_, 0.0F);
-    append(boxes_, kNowhere);
-    append(tight_, kNowhere);
-    append(left_at_, 0U);
+    placements_.emplace_back();
+    generations_.push_back(0);
+    states_.push_back(0);
+    paths_.push_back(kNoPath);
+    leave_at_.push_back(0);
+    boxes_.push_back(kNowhere);
+    tight_.push_back(kNowhere);
+    left_at_.push_back(0);
   }
   const std::uint32_t body = free_.back();
   free_.pop_back();
@@ -53,18 +61,19 @@ std::uint32_t Scene::take_place(std::uint32_t shape, const Pose<float>& pose) {
   return body;
 }
 
-std::optional<Defect> Scene::remove(BodyHandle handle) {
-  if (!is_known(handle)) return Defect::unknown_body;
-  const auto assembly = assemblies_.find(handle.index);
-  if (assembly == assemblies_.end()) {
-    leave_place(handle.index);
-    return std::nullopt;
+/// In how many contacts a body takes part.
+std::size_t Scene::contacts_of(std::uint32_t body) {
+  if (!is(body, kFiled)) return 0;
+  const auto touches = [](const Candidate& candidate) { return candidate.touches(); };
+  auto count = static_cast<std::size_t>(std::ranges::count_if(candidates_.row(body), touches));
+  for (const std::uint32_t other : cells_.near(boxes_[body])) {
+    const Candidate* const candidate = other < body ? candidates_.find(other, body) : nullptr;
+    count += static_cast<std::size_t>(candidate != nullptr && candidate->touches());
   }
-  for (const Assembly::Part& part : assembly->second.parts) leave_place(part.handle.index);
-  assemblies_.erase(assembly);
-  return std::nullopt;
+  return count;
 }
 
+/// There is room for what is told of it.
 void Scene::leave_place(std::uint32_t body) {
   if (is(body, kFiled)) {
     drop_all(body);
@@ -88,6 +97,7 @@ std::optional<Defect> Scene::set_shape(BodyHandle body, std::uint32_t shape, std
     }
     place = assembly->second.parts[part].handle.index;
   }
+  make_room(movers_, movers_.size() + 1);
   placements_[place].shape = shape;
   start_path(place);
   return std::nullopt;

@@ -25,20 +25,11 @@
 /// Whole scenes, step after step.
 namespace manifuzz::scene {
 
-/// The first move of a step that is refused, and why.
-struct RefusedMove {
-  std::size_t index = 0;  ///< among the moves of the step
-  Defect defect{};        ///< why
-};
-
-/// What a scene takes.
-struct Memory {
-  std::size_t bodies = 0;  ///< bytes
-  std::size_t pairs = 0;   ///< bytes, of contacts and of those that wait for the kernel too
-};
-
 /// Bodies that come, go and move, and the contacts between them, step after step. What it refuses,
-/// giving a `Defect`, has changed nothing.
+/// giving a `Defect`, has changed nothing. Where memory runs out, calls throw std::bad_alloc, and
+/// have changed nothing either, but for two: `step` may have placed the moves, `set_filter` may
+/// have set the filter, and they have forgotten all contacts. The next step tells of those that
+/// there are as begun, and of none before as ended.
 class Scene {
  public:
   /// The settings must be free of defects.
@@ -139,10 +130,17 @@ class Scene {
     return is(body, kLeft) ? left_[left_at_[body]].before : boxes_[body];
   }
 
+  void make_room_for(std::size_t bodies, bool with_traits);
   std::uint32_t take_place(std::uint32_t shape, const Pose<float>& pose);
+  std::size_t contacts_of(std::uint32_t body);
   void leave_place(std::uint32_t body);
   void set_traits(std::uint32_t body, const Traits& traits);
-  void refilter(std::uint32_t body, const Filter& filter);
+  void refilter(std::uint32_t body);
+  template <class Act>
+  void for_each_part(BodyHandle body, const Act& act) const;
+  void advance(std::span<const Move> moves);
+  void forget_pairs();
+  void recall_bodies();
   std::optional<RefusedMove> find_refused(std::span<const Move> moves) const;
   std::optional<RefusedMove> find_refused(std::span<const Move> moves, const Share& share) const;
   std::span<const Move> moves_of_parts(std::span<const Move> moves);
@@ -163,9 +161,10 @@ class Scene {
   /// One is run here; more by the executor.
   template <class Task>
   void run(std::size_t tasks, const Task& task) const {
-    if (tasks > 1) return (*executor_)(tasks, std::cref(task));
+    if (tasks > 1) return run_by_executor(tasks, std::cref(task));
     task(0);
   }
+  void run_by_executor(std::size_t tasks, const std::function<void(std::size_t)>& task) const;
   /// `act(share, task)` of each of so many tasks, among which so many things are divided.
   template <class Act>
   void divide(std::size_t things, std::size_t tasks, const Act& act) const {
@@ -250,6 +249,7 @@ class Scene {
   std::size_t body_count_ = 0;
   std::vector<std::uint32_t> free_;     // bodies' places to be used again
   std::vector<std::uint32_t> removed_;  // to be used again once a step has told of what ended
+  bool has_forgotten_ = false;          // its pairs, and which bodies moved
   std::unordered_map<std::uint32_t, Assembly> assemblies_;  // bodies of parts, by the first's place
 
   // By body.

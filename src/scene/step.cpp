@@ -5,6 +5,7 @@
 #include "scene/scene.hpp"
 
 namespace manifuzz::scene {
+
 std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
                                                   const Executor& executor) {
   executor_ = executor ? &executor : nullptr;
@@ -13,6 +14,18 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
     executor_ = nullptr;
     return *refused;
   }
+  try {
+    advance(moves);
+  } catch (...) {
+    forget_pairs();
+    throw;
+  }
+  executor_ = nullptr;
+  return result();
+}
+
+void Scene::advance(std::span<const Move> moves) {
+  if (has_forgotten_) recall_bodies();
   began_.clear();
   ended_.erase(ended_.begin(), ended_.begin() + std::exchange(ended_reported_, 0));
   renumbered_.erase(renumbered_.begin(),
@@ -23,8 +36,6 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
   begin_contacts();
   drop_parted();
   settle();
-  executor_ = nullptr;
-  return result();
 }
 
 /// What happened to the bodies is over.

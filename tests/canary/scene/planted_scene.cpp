@@ -11,6 +11,7 @@
 #include "scene/collide.cpp"
 #include "scene/large_pages.cpp"
 #include "scene/look.cpp"
+#include "scene/out_of_memory.cpp"
 #include "scene/parts.cpp"
 #include "scene/recycled.cpp"
 #include "scene/rows.cpp"

@@ -1,0 +1,52 @@
+#include <algorithm>
+#include <atomic>
+#include <new>
+
+#include "scene/scene.hpp"
+
+// What a scene is once memory has run out.
+
+namespace manifuzz::scene {
+
+/// An executor's tasks must not throw: that memory ran out in one is told when all have ended.
+void Scene::run_by_executor(std::size_t tasks, const std::function<void(std::size_t)>& task) const {
+  std::atomic<bool> is_out_of_memory = false;
+  (*executor_)(tasks, [&](std::size_t i) {
+    try {
+      task(i);
+    } catch (const std::bad_alloc&) {
+      is_out_of_memory = true;
+    }
+  });
+  if (is_out_of_memory) throw std::bad_alloc();
+}
+
+/// Whatever was under way, what is left is right: bodies that stand somewhere, of whose pairs
+/// nothing is known. Needs no memory.
+void Scene::forget_pairs() {
+  executor_ = nullptr;
+  has_forgotten_ = true;
+  cells_ = {};
+  candidates_ = {};
+  const auto clear = [](auto&... lists) { (lists.clear(), ...); };
+  clear(contacts_, kept_, left_, leaver_works_, partner_works_, row_works_, vacant_);
+  clear(began_, ended_, renumbered_);
+  ended_reported_ = renumbered_reported_ = 0;
+  counts_ = {};
+  compared_ = 0;
+  std::ranges::fill(boxes_, kNowhere);
+  std::ranges::fill(states_, std::uint8_t{0});
+}
+
+/// All are looked at as if they had just been added.
+void Scene::recall_bodies() {
+  movers_.clear();
+  make_room(movers_, body_count_);
+  for (std::uint32_t body = 0; body < generations_.size(); ++body) {
+    states_[body] = 0;
+    if (generations_[body] % 2 == 1) start_path(body);
+  }
+  has_forgotten_ = false;
+}
+
+}  // namespace manifuzz::scene

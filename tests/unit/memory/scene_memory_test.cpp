@@ -1,0 +1,287 @@
+#include <algorithm>
+#include <functional>
+#include <tuple>
+
+#include <catch2/catch.hpp>
+
+#include "base/random.hpp"
+#include "scene/query.hpp"
+#include "scene/scene.hpp"
+#include "unit/memory/failing_allocations.hpp"
+
+// Each allocation of each call of a scene fails once: what the header states holds, and the call
+// made again gives what it would have given.
+
+using namespace manifuzz;
+using scene::BodyHandle;
+using scene::Scene;
+
+namespace {
+
+/// Two bodies that touch, and the bits of their manifold.
+using Touch = std::tuple<std::uint32_t, std::uint32_t, int, float, float, float, float>;
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+std::vector<Touch> sorted(std::span<const scene::Contact> contacts) {
+  std::vector<Touch> touches;
+  for (const scene::Contact& contact : contacts) {
+    const Manifold<float>& m = contact.manifold;
+    touches.emplace_back(contact.a.index, contact.b.index, m.count, m.normal.x(), m.normal.y(),
+                         m.points[0].depth, m.points[0].position.x());
+  }
+  std::ranges::sort(touches);
+  return touches;
+}
+
+std::vector<Pair> began(const scene::StepResult& result) {
+  std::vector<Pair> pairs;
+  for (const std::uint32_t i : result.began) {
+    pairs.emplace_back(result.contacts[i].a.index, result.contacts[i].b.index);
+  }
+  std::ranges::sort(pairs);
+  return pairs;
+}
+
+std::vector<Pair> ended(const scene::StepResult& result) {
+  std::vector<Pair> pairs;
+  for (const scene::EndedContact& contact : result.ended) {
+    pairs.emplace_back(contact.a.index, contact.b.index);
+  }
+  std::ranges::sort(pairs);
+  return pairs;
+}
+
+enum class After { unchanged, forgotten };  ///< what a call that had no memory leaves
+
+struct Command {
+  const char* name;
+  After after;
+  std::function<void(Scene&)> run;
+};
+
+/// What holds after a call, and after a step that moves nobody.
+struct Outcome {
+  std::size_t bodies = 0;
+  std::vector<Touch> touches;
+  std::vector<Pair> began;
+  std::vector<Pair> ended;
+
+  friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+
+Outcome outcome(Scene& scene) {
+  const auto stepped = scene.step({});
+  const auto& result = std::get<scene::StepResult>(stepped);
+  return {scene.body_count(), sorted(result.contacts), began(result), ended(result)};
+}
+
+/// The next step tells of all that touch as begun, whether the call had come to place what it moved
+/// or not.
+void check_forgotten(Scene& scene, const Outcome& untouched, const Outcome& done) {
+  const Outcome found = outcome(scene);
+  CHECK((found.touches == done.touches || found.touches == untouched.touches));
+  CHECK(found.began.size() == found.touches.size());
+  CHECK(found.ended.empty());
+}
+
+/// Makes a call for which there is so much memory; whether that ran out.
+bool runs_out(Scene& scene, const Command& command, std::size_t after) {
+  bool has_thrown = false;
+  bool has_failed = false;
+  {
+    const test::FailingAllocation failing(after);
+    try {
+      command.run(scene);
+    } catch (const std::bad_alloc&) {
+      has_thrown = true;
+    }
+    has_failed = failing.has_failed();
+  }
+  REQUIRE(has_thrown == has_failed);
+  return has_failed;
+}
+
+/// Lets each allocation of a call fail, in a copy each; how many there were.
+std::size_t check_every_failure(const Scene& before, const Command& command) {
+  Scene right = before;
+  command.run(right);
+  const std::size_t bodies = right.body_count();
+  const Outcome expected = outcome(right);
+  Scene untouched = before;
+  const Outcome unchanged = outcome(untouched);
+  for (std::size_t after = 0;; ++after) {
+    INFO(command.name << ", allocation " << after);
+    Scene scene = before;
+    if (!runs_out(scene, command, after)) return after;
+    Scene left = scene;
+    if (command.after == After::forgotten) {
+      check_forgotten(left, unchanged, expected);
+      command.run(scene);
+      CHECK(outcome(scene).touches == expected.touches);
+    } else {
+      CHECK(scene.body_count() == before.body_count());
+      CHECK(outcome(left) == unchanged);
+      command.run(scene);
+      CHECK(scene.body_count() == bodies);
+      CHECK(outcome(scene) == expected);
+    }
+  }
+}
+
+/// A crowd of every kind of shape, and calls on it, drawn.
+class Crowd {
+ public:
+  explicit Crowd(std::uint64_t seed) : random_(seed, "crowd that runs out of memory", 0) {
+    const Vector2<float> corners[] = {{-0.5F, -0.5F}, {0.5F, -0.5F}, {0.5F, 0.5F}, {-0.5F, 0.5F}};
+    const Vector2<float> ends[] = {{-0.5F, 0}, {0.5F, 0}};
+    const Vector2<float> centre[] = {{0, 0}};
+    scene.add_shape(make_polygon<float>(corners));
+    scene.add_shape(make_polygon<float>(ends, 0.25F, Rounding::round));
+    scene.add_shape(make_polygon<float>(centre, 0.5F, Rounding::round));
+    for (int i = 0; i < 20; ++i)
+      bodies_.push_back(std::get<BodyHandle>(scene.add(shape(), pose())));
+    scene.step({});
+  }
+
+  /// Drawn now, so that it does the same to every copy.
+  Command draw() {
+    switch (random_.integer(0, 7)) {
+      case 0:
+        return {"add_shape", After::unchanged,
+                [polygon = scene.shape(shape())](Scene& in) { in.add_shape(polygon); }};
+      case 1:
+        return {"add", After::unchanged,
+                [shape = shape(), pose = pose(), rules = rules()](Scene& in) {
+                  in.add(shape, pose, rules);
+                }};
+      case 2:
+        return {"add parts", After::unchanged,
+                [parts = parts(), pose = pose(), rules = rules()](Scene& in) {
+                  in.add(parts, pose, rules);
+                }};
+      case 3:
+        return {"remove", After::unchanged, [body = body()](Scene& in) { in.remove(body); }};
+      case 4:
+        return {"set_shape", After::unchanged,
+                [body = body(), shape = shape()](Scene& in) { in.set_shape(body, shape); }};
+      case 5:
+        return {
+            "set_filter", After::forgotten,
+            [body = body(), filter = rules().filter](Scene& in) { in.set_filter(body, filter); }};
+      default:
+        return {"step", After::forgotten, [moves = moves()](Scene& in) { in.step(moves); }};
+    }
+  }
+
+  void run(const Command& command) {
+    command.run(scene);
+    scene.step({});
+    bodies_.clear();
+    std::vector<BodyHandle> found;
+    scene.near({-1e6F, -1e6F, 1e6F, 1e6F}, found);
+    for (const BodyHandle handle : found) {
+      const scene::PartName name = scene.part(handle);
+      if (name.part == 0) bodies_.push_back(name.body);
+    }
+  }
+
+  Scene scene;
+
+ private:
+  std::uint32_t shape() { return static_cast<std::uint32_t>(random_.integer(0, 2)); }
+  Pose<float> pose() {
+    const auto x = static_cast<float>(random_.uniform(0, 4));
+    const auto y = static_cast<float>(random_.uniform(0, 4));
+    return {{x, y}, {1, 0}};
+  }
+  scene::Rules rules() {
+    const auto category = std::uint32_t{1} << random_.integer(0, 2);
+    return {.filter = {category, random_.chance(0.5) ? ~category : ~std::uint32_t{0}}};
+  }
+  std::vector<scene::BodyPart> parts() {
+    std::vector<scene::BodyPart> some;
+    for (int i = random_.integer(1, 3); i > 0; --i) some.push_back({shape(), pose()});
+    return some;
+  }
+  BodyHandle body() {
+    return bodies_[static_cast<std::size_t>(
+        random_.integer(0, static_cast<int>(bodies_.size()) - 1))];
+  }
+  std::vector<scene::Move> moves() {
+    std::vector<scene::Move> some;
+    for (const BodyHandle body : bodies_) {
+      if (random_.chance(0.6)) some.push_back({body, pose()});
+    }
+    return some;
+  }
+
+  Random random_;
+  std::vector<BodyHandle> bodies_;
+};
+
+}  // namespace
+
+TEST_CASE("a scene whose memory runs out anywhere is right again with the next call") {
+  std::map<std::string, std::size_t> failures;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Crowd crowd(seed);
+    for (int i = 0; i < 40; ++i) {
+      const Command command = crowd.draw();
+      failures[command.name] += check_every_failure(crowd.scene, command);
+      crowd.run(command);
+    }
+  }
+  CHECK(failures.size() == 7);
+  for (const auto& [name, count] : failures) {
+    INFO(name);
+    CHECK(count > 0);
+  }
+}
+
+TEST_CASE("a scene whose memory runs out in a task is right again with the next step") {
+  const scene::Executor executor = [](std::size_t count,
+                                      const std::function<void(std::size_t)>& task) {
+    for (std::size_t i = count; i-- > 0;) task(i);
+  };
+  Crowd crowd(4);
+  for (int i = 0; i < 100; ++i) crowd.run({"add", After::unchanged, crowd.draw().run});
+  std::vector<BodyHandle> bodies;
+  crowd.scene.near({-1e6F, -1e6F, 1e6F, 1e6F}, bodies);
+  Random random(1, "far moves", 0);
+  std::vector<scene::Move> moves;
+  for (const BodyHandle body : bodies) {
+    if (crowd.scene.part(body).part > 0 || !(crowd.scene.part(body).body == body)) continue;
+    Pose<float> pose = crowd.scene.pose(body);
+    pose.position.x() += static_cast<float>(random.uniform(-2, 2));
+    moves.push_back({body, pose});
+  }
+  const Command step{"step in tasks", After::forgotten,
+                     [&](Scene& in) { in.step(moves, executor); }};
+  CHECK(check_every_failure(crowd.scene, step) > 8);
+}
+
+TEST_CASE("a question for which there is no memory changes nothing") {
+  Crowd crowd(5);
+  const Ray ray{{-1, 1}, {8, 0.5F}};
+  const auto expected = scene::cast_ray(crowd.scene, ray);
+  REQUIRE(expected);
+  std::size_t failures = 0;
+  for (std::size_t after = 0;; ++after, ++failures) {
+    Scene scene = crowd.scene;
+    bool has_thrown = false;
+    {
+      const test::FailingAllocation failing(after);
+      try {
+        scene::cast_ray(scene, ray);
+      } catch (const std::bad_alloc&) {
+        has_thrown = true;
+      }
+    }
+    if (!has_thrown) break;
+    const auto found = scene::cast_ray(scene, ray);
+    REQUIRE(found);
+    CHECK(found->handle == expected->handle);
+    CHECK(found->hit.share == expected->hit.share);
+  }
+  CHECK(failures > 0);
+}
