@@ -9,6 +9,7 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "cli/commands.hpp"
 #include "corpus/corpus.hpp"
 
 namespace manifuzz {
@@ -232,13 +233,6 @@ std::string case_file(const CaseArgument& argument) {
   const FoundCase found = find_case(argument.name, argument.folders.all());
   if (!found.remark.empty()) write_remark(found.remark);
   return found.file;
-}
-
-std::span<const Command> commands() {
-  static const Command all[] = {kFuzz,   kReplay,   kProperty, kSmoke, kCollide, kJudge,
-                                kAccept, kGenerate, kShrink,   kShow,  kBench,   kStress,
-                                kScene,  kDigest,   kReport,   kMerge, kList};
-  return all;
 }
 
 }  // namespace manifuzz

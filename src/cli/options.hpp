@@ -1,11 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -90,53 +87,5 @@ void add_case_argument(CLI::App& app, CaseArgument& argument, const std::string&
 
 /// The file that is meant; what was taken from the corpus is said on stderr. Throws UserError.
 std::string case_file(const CaseArgument& argument);
-
-/// What a command does once its options are read: returns 0 (all well), 1 (it found something) or
-/// throws UserError (status 2).
-using Run = std::function<int()>;
-
-struct Command {
-  std::string_view name;
-  std::string_view summary;  ///< one sentence, for the list of commands and for its own help
-  std::string_view example;  ///< command lines that work when pasted, below its help
-  Run (*define)(CLI::App& app);
-};
-
-/// Such a `define`: `add` adds options, which `run` gets as they were read. One with `ci` among
-/// its options tells CI what it throws.
-template <class Options, auto add, auto run>
-Run define(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
-  add(app, *options);
-  return [options, name = app.get_name()] {
-    if constexpr (requires { options->ci; }) {
-      return run_for_ci(name, options->ci, [&] { return run(*options); });
-    } else {
-      return run(*options);
-    }
-  };
-}
-
-// Each in a file of its own.
-extern const Command kAccept;
-extern const Command kBench;
-extern const Command kCollide;
-extern const Command kDigest;
-extern const Command kFuzz;
-extern const Command kGenerate;
-extern const Command kJudge;
-extern const Command kList;
-extern const Command kMerge;
-extern const Command kProperty;
-extern const Command kReplay;
-extern const Command kReport;
-extern const Command kScene;
-extern const Command kShow;
-extern const Command kShrink;
-extern const Command kSmoke;
-extern const Command kStress;
-
-/// Every command, in the order of the help.
-std::span<const Command> commands();
 
 }  // namespace manifuzz

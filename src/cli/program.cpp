@@ -1,13 +1,21 @@
 #include "cli/program.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "engines/colliders.hpp"
 #include "process/child.hpp"
@@ -23,6 +31,23 @@ constexpr int kBadUsage = 2;
 
 /// What a command may still ask anybody, once a signal came; it ends within 2 s.
 constexpr double kSecondsAfterSignal = 1.2;
+
+/// The command that the arguments name, where it is none of this program's: the first word, since
+/// no option before it takes one.
+const Command* command_elsewhere(std::span<char* const> arguments) {
+  const auto is_word = [](std::string_view argument) { return !argument.starts_with('-'); };
+  const auto word = std::ranges::find_if(arguments.subspan(1), is_word);
+  if (word == arguments.end()) return nullptr;
+  const auto named = std::ranges::find(commands(), std::string_view(*word), &Command::name);
+  return named == commands().end() || named->define != nullptr ? nullptr : &*named;
+}
+
+/// The program that has it.
+std::filesystem::path measuring_program() {
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown)
+      .replace_filename("manifuzz-measure");
+}
 
 int complain(std::string_view what) {
   write_complaint(what);
@@ -64,10 +89,14 @@ int run(int argc, char** argv) {
     CLI::App* const sub =
         app.add_subcommand(std::string(command.name), std::string(command.summary));
     sub->footer(help_on_example(command.example));
-    runs[sub] = command.define(*sub);
+    if (command.define != nullptr) runs[sub] = command.define(*sub);
     add_common_options(*sub);
   }
   if (argc < 2) return answer_bare_call(argc > 0 ? argv[0] : "manifuzz");
+  if (const Command* const command = command_elsewhere({argv, argv + argc})) {
+    throw UserError(fmt::format("{}: {} is not there; scripts/build builds it", command->name,
+                                printable(kept_path(measuring_program()).string(), 200)));
+  }
   if (argc == 3 && argv[1] == std::string_view("--help") && argv[2] == std::string_view("words")) {
     write_output(glossary_text());
     return 0;
@@ -98,6 +127,9 @@ int run_to_the_end(int argc, char** argv) {
 }  // namespace
 
 int run_program(int argc, char** argv) {
+  if (argc > 1 && command_elsewhere({argv, argv + argc})) {
+    ::execv(measuring_program().c_str(), argv);  // returns where it cannot be started
+  }
   fill_in_standard_streams();
   const Descendants descendants;
   stop_children_on_signals();

@@ -4,7 +4,7 @@
 
 #include "base/text.hpp"
 #include "generating/sweep.hpp"
-#include "measure/scene/scene_run.hpp"
+#include "measure/scene/scene_list.hpp"
 #include "report/campaign_text.hpp"
 #include "report/outputs.hpp"
 #include "report/rows.hpp"
@@ -68,9 +68,11 @@ std::string list_sweeps() {
 }
 
 std::string list_scenes() {
-  return lines_of(scene_specs(), [](const SceneSpec& spec) {
-    return fmt::format("{:<14} {}\n", spec.name, spec.sentence);
-  });
+  std::string lines;
+#define MANIFUZZ_LINE(name, sentence) lines += fmt::format("{:<14} {}\n", #name, sentence);
+  MANIFUZZ_SCENES(MANIFUZZ_LINE)
+#undef MANIFUZZ_LINE
+  return lines;
 }
 
 std::string list_ledger() {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "report/outputs.hpp"
@@ -132,11 +133,8 @@ void add_accept_arguments(CLI::App& app, AcceptArguments& options) {
 
 }  // namespace
 
-const Command kAccept{
-    "accept", "Accept known findings: runs fail only if they get worse or more frequent.",
-    "manifuzz accept corpus/regressions/subject-*.json --because 'since 2.3' --up-to 0.5\n"
-    "manifuzz accept corpus/regressions/subject-*.json --kind --because 'since 2.3' --up-to 0.5\n"
-    "manifuzz accept --list",
-    define<AcceptArguments, add_accept_arguments, accept>};
+Run define_accept(CLI::App& app) {
+  return define<AcceptArguments, add_accept_arguments, accept>(app);
+}
 
 }  // namespace manifuzz

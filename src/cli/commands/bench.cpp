@@ -8,13 +8,14 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/asked_engines.hpp"
 #include "engines/colliders.hpp"
 #include "engines/sequence_colliders.hpp"
 #include "external/external_collider.hpp"
-#include "report/measurements.hpp"
+#include "report/measurements/measurements.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {
@@ -215,9 +216,8 @@ void add_bench_arguments(CLI::App& app, BenchArguments& options) {
 
 }  // namespace
 
-const Command kBench{"bench", "Measure run time and error of every collider in one run.",
-                     "manifuzz bench --quick --picture bench.svg\n"
-                     "manifuzz bench --quick --methods --picture methods.svg",
-                     define<BenchArguments, add_bench_arguments, bench>};
+Run define_bench(CLI::App& app) {
+  return define<BenchArguments, add_bench_arguments, bench>(app);
+}
 
 }  // namespace manifuzz

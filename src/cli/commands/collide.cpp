@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
 #include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
@@ -48,12 +49,8 @@ void add_collide_arguments(CLI::App& app, CollideArguments& options) {
 
 }  // namespace
 
-const Command kCollide{
-    "collide",
-    "Read cases; print the collider's manifolds, one JSON line a case (or frame, for sequences).",
-    "manifuzz collide --collider clip corpus/seeds/regime-boxes.json\n"
-    "manifuzz generate --regime boxes --cases 100 | manifuzz collide --collider box2d\n"
-    "manifuzz generate --regime sliding --cases 1 | manifuzz collide --collider cached",
-    define<CollideArguments, add_collide_arguments, collide_cases>};
+Run define_collide(CLI::App& app) {
+  return define<CollideArguments, add_collide_arguments, collide_cases>(app);
+}
 
 }  // namespace manifuzz

@@ -7,10 +7,11 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "generating/regime.hpp"
-#include "report/measurements.hpp"
+#include "report/measurements/measurements.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {
@@ -58,9 +59,8 @@ void add_digest_arguments(CLI::App& app, DigestArguments& options) {
 
 }  // namespace
 
-const Command kDigest{
-    "digest", "Hash every bit of a collider's answers, one hash per regime, to compare builds.",
-    "manifuzz digest --collider batch --cases 1000",
-    define<DigestArguments, add_digest_arguments, digest_command>};
+Run define_digest(CLI::App& app) {
+  return define<DigestArguments, add_digest_arguments, digest_command>(app);
+}
 
 }  // namespace manifuzz

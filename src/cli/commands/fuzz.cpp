@@ -12,11 +12,12 @@
 #include "campaign/result.hpp"
 #include "campaign/run.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
 #include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
-#include "measure/provenance.hpp"
+#include "engines/provenance.hpp"
 #include "report/campaign_text.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/outputs.hpp"
@@ -271,13 +272,8 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
 
 }  // namespace
 
-const Command kFuzz{
-    "fuzz",
-    "Compare two colliders on random cases; judge, shrink and save disagreements. A subject that "
-    "keeps points gets sequences of the motions named by --regime, and is judged alone.",
-    "manifuzz fuzz --regime sliver --seed 1 --cases 100000\n"
-    "manifuzz fuzz --until-new --regime sliver --seed 1 --cases 20000\n"
-    "manifuzz fuzz --subject cached --regime turning_platform --seed 1 --cases 1000",
-    define<FuzzArguments, add_fuzz_arguments, fuzz>};
+Run define_fuzz(CLI::App& app) {
+  return define<FuzzArguments, add_fuzz_arguments, fuzz>(app);
+}
 
 }  // namespace manifuzz

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/text.hpp"
+#include "cli/commands.hpp"
 #include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
@@ -56,11 +57,8 @@ void add_generate_arguments(CLI::App& app, GenerateArguments& options) {
 
 }  // namespace
 
-const Command kGenerate{
-    "generate",
-    "Print random cases of the named regimes, or sequences of the named motions, one a line.",
-    "manifuzz generate --seed 1 --regime sliver --cases 1000 > slivers.jsonl\n"
-    "manifuzz generate --seed 1 --regime turning_platform --cases 10",
-    define<GenerateArguments, add_generate_arguments, generate_cases>};
+Run define_generate(CLI::App& app) {
+  return define<GenerateArguments, add_generate_arguments, generate_cases>(app);
+}
 
 }  // namespace manifuzz

@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
 #include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
@@ -75,12 +76,8 @@ void add_judge_arguments(CLI::App& app, JudgeArguments& options) {
 
 }  // namespace
 
-const Command kJudge{
-    "judge", "Read cases; print the right manifolds and who is wrong, one JSON line a case.",
-    "manifuzz generate --seed 1 --regime sliver --cases 10 | manifuzz judge\n"
-    "manifuzz generate --seed 1 --regime boxes --cases 10 > cases.jsonl\n"
-    "manifuzz collide --collider box2d cases.jsonl > answers.jsonl\n"
-    "manifuzz judge --subject box2d --manifolds answers.jsonl cases.jsonl",
-    define<JudgeArguments, add_judge_arguments, judge_cases>};
+Run define_judge(CLI::App& app) {
+  return define<JudgeArguments, add_judge_arguments, judge_cases>(app);
+}
 
 }  // namespace manifuzz

@@ -6,6 +6,7 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "engines/colliders.hpp"
 #include "engines/sequence_colliders.hpp"
@@ -73,11 +74,8 @@ void add_list_arguments(CLI::App& app, std::optional<std::string>& what) {
 
 }  // namespace
 
-const Command kList{"list",
-                    "List colliders, regimes, motions, known causes, sweeps or scenes, one a line.",
-                    "manifuzz list\nmanifuzz list colliders\nmanifuzz list regimes\nmanifuzz list "
-                    "motions\nmanifuzz list ledger\n"
-                    "manifuzz list sweeps\nmanifuzz list scenes",
-                    define<std::optional<std::string>, add_list_arguments, list>};
+Run define_list(CLI::App& app) {
+  return define<std::optional<std::string>, add_list_arguments, list>(app);
+}
 
 }  // namespace manifuzz

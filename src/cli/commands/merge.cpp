@@ -8,6 +8,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "campaign/result.hpp"
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "report/outputs.hpp"
@@ -70,12 +71,8 @@ void add_merge_arguments(CLI::App& app, MergeArguments& options) {
 
 }  // namespace
 
-const Command kMerge{
-    "merge", "Merge several runs into one; keep the smallest and the worst case of each bucket.",
-    "manifuzz fuzz --seed 1 --cases 200000 --corpus run0 --json run0.json\n"
-    "manifuzz fuzz --seed 1 --first 10000 --cases 200000 --corpus run1 --json "
-    "run1.json\n"
-    "manifuzz merge run0 run1 run0.json run1.json --output all --json all.json",
-    define<MergeArguments, add_merge_arguments, merge>};
+Run define_merge(CLI::App& app) {
+  return define<MergeArguments, add_merge_arguments, merge>(app);
+}
 
 }  // namespace manifuzz

@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "report/ci/ci_output.hpp"
@@ -104,9 +105,8 @@ void add_property_arguments(CLI::App& app, PropertyArguments& options) {
 
 }  // namespace
 
-const Command kProperty{
-    "property", "Test a collider for what must be true of any collider; this needs no oracle.",
-    "manifuzz property swapping-mirrors --subject clip --cases 100000 --seed 1",
-    define<PropertyArguments, add_property_arguments, hold_properties>};
+Run define_property(CLI::App& app) {
+  return define<PropertyArguments, add_property_arguments, hold_properties>(app);
+}
 
 }  // namespace manifuzz

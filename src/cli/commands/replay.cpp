@@ -9,11 +9,12 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
 #include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
-#include "measure/provenance.hpp"
+#include "engines/provenance.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/outputs.hpp"
 
@@ -96,9 +97,8 @@ void add_replay_arguments(CLI::App& app, ReplayArguments& options) {
 
 }  // namespace
 
-const Command kReplay{"replay",
-                      "Run every case and sequence of the corpus again; the subject must be right.",
-                      "manifuzz replay corpus --subject clip --oracle box2d",
-                      define<ReplayArguments, add_replay_arguments, replay>};
+Run define_replay(CLI::App& app) {
+  return define<ReplayArguments, add_replay_arguments, replay>(app);
+}
 
 }  // namespace manifuzz

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
 #include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
@@ -90,9 +91,8 @@ void add_report_arguments(CLI::App& app, ReportArguments& options) {
 
 }  // namespace
 
-const Command kReport{"report", "Write one HTML page about findings and measurements.",
-                      "manifuzz fuzz --seed 1 --cases 100000 --json run.json\n"
-                      "manifuzz report corpus run.json --output report.html",
-                      define<ReportArguments, add_report_arguments, report>};
+Run define_report(CLI::App& app) {
+  return define<ReportArguments, add_report_arguments, report>(app);
+}
 
 }  // namespace manifuzz

@@ -5,9 +5,10 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
-#include "report/measurements.hpp"
+#include "report/measurements/measurements.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {
@@ -147,9 +148,8 @@ void add_scene_arguments(CLI::App& app, SceneArguments& options) {
 
 }  // namespace
 
-const Command kScene{"scene",
-                     "Run whole scenes step by step, and compare with Box2D's contact manager.",
-                     "manifuzz scene --scene resting_pile --bodies 1000 --steps 20",
-                     define<SceneArguments, add_scene_arguments, scene_command>};
+Run define_scene(CLI::App& app) {
+  return define<SceneArguments, add_scene_arguments, scene_command>(app);
+}
 
 }  // namespace manifuzz

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "campaign/plan.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
 #include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
@@ -135,11 +136,8 @@ void add_show_arguments(CLI::App& app, ShowArguments& options) {
 
 }  // namespace
 
-const Command kShow{
-    "show", "Show a case as text and as a picture: shapes, contact points, verdict.",
-    "manifuzz generate --seed 1 --regime boxes --cases 1 | manifuzz show - --svg case.svg "
-    "--map case.png\n"
-    "manifuzz show none/tie/count/incident/a",
-    define<ShowArguments, add_show_arguments, show>};
+Run define_show(CLI::App& app) {
+  return define<ShowArguments, add_show_arguments, show>(app);
+}
 
 }  // namespace manifuzz

@@ -11,6 +11,7 @@
 #include "campaign/pairs/pair_trial.hpp"
 #include "campaign/shrink_saved.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
 #include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
@@ -102,10 +103,8 @@ void add_shrink_arguments(CLI::App& app, ShrinkArguments& options) {
 
 }  // namespace
 
-const Command kShrink{
-    "shrink", "Shrink a case to the smallest with the same verdict and bucket and a similar error.",
-    "manifuzz generate --seed 2 --regime tie_bias --cases 1 | manifuzz shrink - --output "
-    "smallest.json",
-    define<ShrinkArguments, add_shrink_arguments, shrink_file>};
+Run define_shrink(CLI::App& app) {
+  return define<ShrinkArguments, add_shrink_arguments, shrink_file>(app);
+}
 
 }  // namespace manifuzz

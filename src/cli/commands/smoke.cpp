@@ -8,9 +8,10 @@
 
 #include "base/text.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
-#include "measure/provenance.hpp"
+#include "engines/provenance.hpp"
 #include "report/campaign_text.hpp"
 #include "report/ci/ci_output.hpp"
 #include "report/outputs.hpp"
@@ -123,10 +124,8 @@ void add_smoke_arguments(CLI::App& app, SmokeArguments& options) {
 
 }  // namespace
 
-const Command kSmoke{
-    "smoke",
-    "Replay the corpus, test properties and run a campaign, in at most 20 s; meant for CI.",
-    "manifuzz smoke --subject clip --oracle box2d --seed 1 --no-save --junit smoke.xml",
-    define<SmokeArguments, add_smoke_arguments, smoke>};
+Run define_smoke(CLI::App& app) {
+  return define<SmokeArguments, add_smoke_arguments, smoke>(app);
+}
 
 }  // namespace manifuzz

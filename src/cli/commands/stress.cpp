@@ -10,10 +10,11 @@
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
-#include "report/measurements.hpp"
+#include "report/measurements/measurements.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {
@@ -204,9 +205,8 @@ void add_stress_arguments(CLI::App& app, StressArguments& options) {
 
 }  // namespace
 
-const Command kStress{"stress",
-                      "Test numerical stability: vary one parameter until each collider breaks.",
-                      "manifuzz stress --quick --sweep distance",
-                      define<StressArguments, add_stress_arguments, stress>};
+Run define_stress(CLI::App& app) {
+  return define<StressArguments, add_stress_arguments, stress>(app);
+}
 
 }  // namespace manifuzz

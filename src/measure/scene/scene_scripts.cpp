@@ -4,6 +4,7 @@
 #include "generating/drafts.hpp"
 #include "geometry/convex_polygon.hpp"
 #include "geometry/manifold.hpp"
+#include "measure/scene/scene_list.hpp"
 #include "measure/scene/scene_run.hpp"
 
 namespace manifuzz {
@@ -264,18 +265,9 @@ Trajectory make_rain(std::size_t bodies, int steps) {
   return recorded(stage, bodies, 120, steps);
 }
 
-constexpr SceneSpec kSpecs[] = {
-    {"pile", "polygons that fall onto each other between walls, recorded", make_pile},
-    {"stirred", "a pile that is shaken: gravity turns in each step, recorded", make_stirred},
-    {"resting_pile", "a pile at rest, a tenth of it nudged in each step", make_resting_pile},
-    {"pyramid", "boxes in pyramids that settle, recorded", make_pyramid},
-    {"rain", "polygons that fall far from each other, recorded", make_rain},
-    {"sparse_drift", "polygons far from each other, all on their way", make_sparse_drift},
-    {"spinning_grid", "boxes in a grid, each turning on the spot", make_spinning_grid},
-    {"one_mover", "one polygon on its way through a field that rests", make_one_mover},
-    {"slivers", "a crowd of needles, all moving", make_slivers},
-    {"still", "a dense field in which nothing moves", make_still},
-};
+#define MANIFUZZ_SPEC(name, sentence) {#name, sentence, make_##name},
+constexpr SceneSpec kSpecs[] = {MANIFUZZ_SCENES(MANIFUZZ_SPEC)};
+#undef MANIFUZZ_SPEC
 
 }  // namespace
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "exact/truth.hpp"
-#include "report/measurements.hpp"
+#include "report/measurements/measurements.hpp"
 #include "support/installed_collider.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cli/options.hpp"
+#include "cli/commands.hpp"
 #include "support/bad_cases.hpp"
 #include "support/named_tests.hpp"
 #include "support/run_program.hpp"
@@ -158,6 +158,19 @@ TEST_CASE("Help and version go to stdout") {
     CHECK(help.out.find("\n  " + std::string(command.name) + " ") != std::string::npos);
   }
   CHECK(run_manifuzz({"--version"}).out.starts_with("manifuzz "));
+}
+
+TEST_CASE("a command whose program is not built says what builds it") {
+  const TemporaryFolder folder;
+  const std::filesystem::path alone = folder.path() / "manifuzz";
+  std::filesystem::copy(manifuzz_path(), alone);
+  CHECK(run_program({alone.string(), "--help"}).out == run_manifuzz({"--help"}).out);
+  const Outcome outcome = run_program({alone.string(), "--quiet", "bench", "--help"});
+  CHECK(outcome.status == 2);
+  CHECK(outcome.out.empty());
+  CHECK(is_one_clear_line(outcome.err));
+  CHECK(outcome.err.find("manifuzz-measure is not there; scripts/build builds it") !=
+        std::string::npos);
 }
 
 TEST_CASE("list alone has a line for each list that there is") {

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
-#include "report/measurements.hpp"
+#include "report/measurements/measurements.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace manifuzz;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "report/measurements.hpp"
+#include "report/measurements/measurements.hpp"
 #include "report/picture/drawing.hpp"
 
 namespace manifuzz {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "measure/provenance.hpp"
-#include "report/measurements.hpp"
+#include "engines/provenance.hpp"
+#include "report/measurements/measurements.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
-#include "report/measurements.hpp"
+#include "report/measurements/measurements.hpp"
 
 namespace manifuzz {
 namespace {

@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 
 #include "base/text.hpp"
-#include "measure/provenance.hpp"
-#include "report/measurements.hpp"
+#include "engines/provenance.hpp"
+#include "report/measurements/measurements.hpp"
 #include "report/picture/drawing.hpp"
 
 namespace manifuzz {

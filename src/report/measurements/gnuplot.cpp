@@ -9,7 +9,7 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "report/measurements.hpp"
+#include "report/measurements/measurements.hpp"
 
 namespace manifuzz {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "measure/provenance.hpp"
-#include "report/measurements.hpp"
+#include "engines/provenance.hpp"
+#include "report/measurements/measurements.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,5 +1,5 @@
-#include "measure/provenance.hpp"
-#include "report/measurements.hpp"
+#include "engines/provenance.hpp"
+#include "report/measurements/measurements.hpp"
 #include "report/words.hpp"
 
 namespace manifuzz {

@@ -1,4 +1,4 @@
-#include "measure/provenance.hpp"
+#include "engines/provenance.hpp"
 
 #include <catch2/catch.hpp>
 
