@@ -165,7 +165,7 @@ std::string acceptance_member(const Acceptance& acceptance) {
 }
 
 void append_seen(std::string& out, const Seen& seen) {
-  fmt::format_to(std::back_inserter(out), "{{\"cases\": {}, \"magnitude\": ", seen.cases);
+  out += fmt::format("{{\"cases\": {}, \"magnitude\": ", seen.cases);
   append_number(out, seen.magnitude);
   if (seen.errors) append_errors(out += ", \"errors\": ", *seen.errors);
   out += ", \"regimes\": ";

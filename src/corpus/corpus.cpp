@@ -238,7 +238,7 @@ void answer_each(const std::string& path, CaseKind kind, const AnswerCase& answe
       if (bad++ == 0) first_error = fmt::format("{}{}: {}", file.name(), place, error.what());
       lines = "{\"error\": ";
       append_string(lines, error.what());
-      fmt::format_to(std::back_inserter(lines), ", \"line\": {}}}", number);
+      lines += fmt::format(", \"line\": {}}}", number);
     }
     out.write(lines += '\n');
   };

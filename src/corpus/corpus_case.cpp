@@ -126,16 +126,15 @@ Expectation read_expectation(const JsonView& object, const AnyCase& any) {
 void append_member(std::string& out, std::string_view separator, std::string_view key,
                    std::string_view text) {
   if (text.empty()) return;
-  fmt::format_to(std::back_inserter(out), "{}\"{}\": ", separator, key);
+  out += fmt::format("{}\"{}\": ", separator, key);
   append_string(out, text);
 }
 
 /// Appends "found" behind `separator`.
 void append_found(std::string& out, std::string_view separator, const Found& found) {
-  fmt::format_to(std::back_inserter(out), "{}\"found\": {{\"seed\": {}, \"regime\": ", separator,
-                 found.seed);
+  out += fmt::format("{}\"found\": {{\"seed\": {}, \"regime\": ", separator, found.seed);
   append_string(out, found.regime);
-  fmt::format_to(std::back_inserter(out), ", \"index\": {}", found.index);
+  out += fmt::format(", \"index\": {}", found.index);
   std::string_view before = ", \"versions\": {";
   for (const auto& [name, version] : found.versions) {
     out += before;

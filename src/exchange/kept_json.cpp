@@ -20,8 +20,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kCarrierNames{"a", "b", "world"};
 
 void append_point(std::string& out, const PairCase& pair, const KeptPoint& point) {
-  fmt::format_to(std::back_inserter(out), "{{\"id\": {}, \"born\": {}, \"position\": ", point.id,
-                 point.born);
+  out += fmt::format("{{\"id\": {}, \"born\": {}, \"position\": ", point.id, point.born);
   append_vector(out, without_negative_zeros(to_world(pair, point.anchor_a)));
   append_number(out += ", \"depth\": ", point.depth);
   append_vector(out += ", \"normal\": ", without_negative_zeros(point.normal));
@@ -43,8 +42,7 @@ void append_kept_answer(std::string& out, const PairCase& pair, std::string_view
         fmt::format("frame {}: {} gives no answer: {}", number.frame, collider, lost->why));
   }
   append_string(out += "{\"collider\": ", collider);
-  fmt::format_to(std::back_inserter(out), ", \"sequence\": {}, \"frame\": {}, ", number.sequence,
-                 number.frame);
+  out += fmt::format(", \"sequence\": {}, \"frame\": {}, ", number.sequence, number.frame);
   if (const auto* const unsupported = std::get_if<Unsupported>(&answer)) {
     append_string(out += "\"unsupported\": ", unsupported->why);
     out += '}';
@@ -63,8 +61,8 @@ void append_frame_line(std::string& out, const PairCase& pair, const FrameNumber
                        ScalarType scalar) {
   std::string line;
   append_program_line(line, pair, scalar);
-  fmt::format_to(std::back_inserter(out), "{{\"sequence\": {}, \"frame\": {}, {}", number.sequence,
-                 number.frame, std::string_view(line).substr(1));
+  out += fmt::format("{{\"sequence\": {}, \"frame\": {}, {}", number.sequence, number.frame,
+                     std::string_view(line).substr(1));
 }
 
 namespace {

@@ -128,9 +128,8 @@ void append_sequence_judgement(std::string& lines, std::size_t sequence,
     const TrueOverlap truth =
         true_overlap(judged.given.sequence().at(k), judged.subject.declaration);
     if (k > 0) lines += '\n';
-    fmt::format_to(std::back_inserter(lines),
-                   "{{\"sequence\": {}, \"frame\": {}, \"penetration\": {{\"depth\": ", sequence,
-                   k);
+    lines += fmt::format(
+        "{{\"sequence\": {}, \"frame\": {}, \"penetration\": {{\"depth\": ", sequence, k);
     append_number(lines, truth.depth);
     std::string_view separator = ", \"normals\": [";
     for (const Vector2<double>& normal : truth.normals) {
