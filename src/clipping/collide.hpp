@@ -42,19 +42,16 @@ template <class Scalar>
                                                                      : manifold;
 }
 
-/// The contact of round shapes with faces: by their faces where their cores overlap, else by where
-/// the cores are nearest. Not inlined either; its own steps are, so that nothing goes through
-/// memory.
+/// The contact of round shapes with faces, from those of greatest separation, no more than the
+/// total radius: by faces where cores overlap, else by where these are nearest. Inlined, so that
+/// nothing goes through memory.
 template <class Scalar>
-[[gnu::noinline, gnu::flatten]] Manifold<Scalar> contact_of_cores(const ConvexPolygon<Scalar>& a,
-                                                                  const ConvexPolygon<Scalar>& b,
-                                                                  Scalar tie_bias,
-                                                                  SecondPoint second_point) {
-  const Scalar total_radius = a.radius + b.radius;
-  const FaceSeparation<Scalar> of_a = greatest_separation(a, b, total_radius);
-  const FaceSeparation<Scalar> of_b = greatest_separation(b, a, total_radius);
-  const Scalar separation = std::max(of_a.separation, of_b.separation);
-  if (separation > total_radius) return {};
+[[gnu::always_inline]] inline Manifold<Scalar> contact_of_cores(const ConvexPolygon<Scalar>& a,
+                                                                const ConvexPolygon<Scalar>& b,
+                                                                const FaceSeparation<Scalar>& of_a,
+                                                                const FaceSeparation<Scalar>& of_b,
+                                                                Scalar tie_bias,
+                                                                SecondPoint second_point) {
   const Scalar roundoff = separation_roundoff(a, b);
   if (!do_cores_overlap(a, b, of_a, of_b, roundoff)) {
     const NearestPlaces<Scalar> nearest = nearest_places(a, b, of_a, of_b, roundoff);
@@ -65,6 +62,20 @@ template <class Scalar>
   // Sums with a large radius hide how little a clip by the wrong face kept of a small overlap.
   if (clipped.count == 0) clipped = deepest_contact(a, b);
   return overlapping_contact(a, b, clipped, second_point);
+}
+
+/// The contact of round shapes with faces. Not inlined; its own steps are.
+template <class Scalar>
+[[gnu::noinline, gnu::flatten]] Manifold<Scalar> contact_of_cores(const ConvexPolygon<Scalar>& a,
+                                                                  const ConvexPolygon<Scalar>& b,
+                                                                  Scalar tie_bias,
+                                                                  SecondPoint second_point) {
+  const Scalar total_radius = a.radius + b.radius;
+  const FaceSeparation<Scalar> of_a = greatest_separation(a, b, total_radius);
+  const FaceSeparation<Scalar> of_b = greatest_separation(b, a, total_radius);
+  const Scalar separation = std::max(of_a.separation, of_b.separation);
+  if (separation > total_radius) return {};
+  return contact_of_cores(a, b, of_a, of_b, tie_bias, second_point);
 }
 
 /// The manifold of two shapes one of which is round. The steps of circles are inlined as well.

@@ -6,20 +6,56 @@
 #include <hwy/highway.h>
 
 #include "kernel/batch.hpp"
+#include "kernel/circle_core-inl.hpp"
 #include "kernel/circles-inl.hpp"
 #include "kernel/collide-inl.hpp"
+#include "kernel/core_contact-inl.hpp"
 #include "kernel/fetch-inl.hpp"
 #include "kernel/round_pairs.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {
 
+/// The manifolds of a strip whose B stands in A's frame.
+template <class D>
+HWY_INLINE void collide_strip(D d, const Strip<D>& s, PairKind kind, hn::TFromD<D> tie_bias,
+                              ManifoldBlock<hn::TFromD<D>>& out) {
+  switch (kind) {
+    case PairKind::sharp:
+      return collide_placed(d, s, tie_bias, out);
+    case PairKind::cores:
+      return collide_cores(d, s, tie_bias, out);
+    case PairKind::circles:
+      return collide_circles(d, s.load2(s.corner(0, 0)), s.load2(s.corner(1, 0)),
+                             s.load(s.radii[0]), s.load(s.radii[1]), s.column, out);
+    default:
+      return collide_circle_and_core(d, s, kind == PairKind::core_and_circle ? 0 : 1, out);
+  }
+}
+
+/// The manifolds of a block of pairs.
+template <class T>
+HWY_INLINE void collide_block(const PairBlock<T>& block, T tie_bias, ManifoldBlock<T>& out) {
+  using D = hn::CappedTag<T, kBlockPairs>;
+  const D d;
+  const Row<T>* const a = block.rows + kCorners;
+  const Row<T>* const b = a + polygon_rows(block.count_a);
+  const Row<T>* const radii = b + polygon_rows(block.count_b);
+  Row<T> placed[polygon_rows(kMaxVertices)];
+  for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
+    Strip<D> strip{block.rows, {a, b}, {block.count_a, block.count_b}, column, radii};
+    place(d, strip, placed);
+    strip.corners[1] = placed;
+    collide_strip(d, strip, block.kind, tie_bias, out);
+  }
+}
+
 template <class T>
 HWY_INLINE void collide_packed(const PackedPairs<T>& pairs, T tie_bias,
                                std::span<ManifoldBlock<T>> out) {
   for (std::size_t i = 0; i < pairs.block_count(); ++i) {
     const PairBlock<T> block = pairs.block(i);
-    if (block.are_circles) {
+    if (block.kind == PairKind::circles) {
       collide_circles(block.rows, out[i]);
       continue;
     }
@@ -47,31 +83,15 @@ HWY_INLINE void collide_batch(const Shapes<T>& shapes, const PairBatch<T>& batch
   fetch(shapes, batch, rows, count_max);
   ManifoldBlock<T> block;
   for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
-    collide_placed(
-        d,
-        {rows.of_block, {rows.corners[0], rows.corners[1]}, {count_max[0], count_max[1]}, column},
-        tie_bias, block);
+    collide_strip(d,
+                  {rows.of_block,
+                   {rows.corners[0], rows.corners[1]},
+                   {count_max[0], count_max[1]},
+                   column,
+                   rows.radii},
+                  batch.kind, tie_bias, block);
   }
   hand_out(block, batch);
-}
-
-template <class T>
-HWY_INLINE void collide_circle_batch(const Shapes<T>& shapes, const PairBatch<T>& batch) {
-  Row<T> rows[kCircleRows];
-  for (int column = 0; column < kBlockPairs; ++column) {
-    const auto& [a, b] = batch.pair[column].body;
-    put_circles(shapes, *a, *b, rows, column);
-  }
-  ManifoldBlock<T> block;
-  collide_circles(rows, block);
-  hand_out(block, batch);
-}
-
-void collide_circles_float(const Shapes<float>& shapes, const PairBatch<float>& batch) {
-  collide_circle_batch(shapes, batch);
-}
-void collide_circles_double(const Shapes<double>& shapes, const PairBatch<double>& batch) {
-  collide_circle_batch(shapes, batch);
 }
 
 void collide_batch_float(const Shapes<float>& shapes, const PairBatch<float>& batch,
@@ -93,8 +113,6 @@ HWY_EXPORT(collide_packed_float);
 HWY_EXPORT(collide_packed_double);
 HWY_EXPORT(collide_batch_float);
 HWY_EXPORT(collide_batch_double);
-HWY_EXPORT(collide_circles_float);
-HWY_EXPORT(collide_circles_double);
 
 void collide_packed(const PackedPairs<float>& pairs, float tie_bias,
                     std::span<ManifoldBlock<float>> out) {
@@ -114,14 +132,6 @@ void collide_batch(const Shapes<float>& shapes, const PairBatch<float>& batch, f
 
 void collide_batch(const Shapes<double>& shapes, const PairBatch<double>& batch, double tie_bias) {
   HWY_DYNAMIC_DISPATCH(collide_batch_double)(shapes, batch, tie_bias);
-}
-
-void collide_circles(const Shapes<float>& shapes, const PairBatch<float>& batch) {
-  HWY_DYNAMIC_DISPATCH(collide_circles_float)(shapes, batch);
-}
-
-void collide_circles(const Shapes<double>& shapes, const PairBatch<double>& batch) {
-  HWY_DYNAMIC_DISPATCH(collide_circles_double)(shapes, batch);
 }
 
 namespace {

@@ -71,16 +71,13 @@ struct LaneSearch {
 
 /// Both polygons' faces at once: a face of B looks along v_a - v_b, a face of A along its exact
 /// opposite, so that each difference serves two faces, and A's separation is minus the greatest
-/// product. B's count is a constant, so that its faces' separations stay in registers; and
-/// where one of them leads, it replaces A's as the reference, which is carried along once.
-template <int kCountB, class D>
-HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, LaneSearch<D>& found) {
+/// product. B's count is a constant, so that its faces' separations stay in registers;
+/// `consider_a` is told those of A's faces one after another.
+template <int kCountB, class D, class Consider, class V = hn::Vec<D>>
+HWY_INLINE void separate_faces(D d, const Strip<D>& s, const Consider& consider_a,
+                               V (&of_face_b)[kCountB]) {
   const auto infinity = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::infinity());
-  hn::Vec<D> of_face_b[kCountB];
   for (int j = 0; j < kCountB; ++j) of_face_b[j] = infinity;
-
-  found.of_a = hn::Neg(infinity);  // face 0 stays where no separation is greater
-  found.reference = {first_edge(s, 0), s.load2(s.corner(0, 0) + 2)};
   for (int i = 0; i < s.count_max[0]; ++i) {
     const auto* const face = s.corner(0, i);
     const auto* const corners_b = reloaded(s.corners[1]);
@@ -94,8 +91,22 @@ HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, Lan
       most_opposed = hn::Max(dot(normal, back), most_opposed);
       of_face_b[j] = hn::Min(dot(s.load2(other + 2), back), of_face_b[j]);
     }
-    consider(s, 0, i, hn::Neg(most_opposed), found.of_a, found.reference);
+    consider_a(i, hn::Neg(most_opposed));
   }
+}
+
+/// Where a face of B leads, it replaces A's as the reference, which is carried along once.
+template <int kCountB, class D>
+HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, LaneSearch<D>& found) {
+  found.of_a = hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity());
+  found.reference = {first_edge(s, 0), s.load2(s.corner(0, 0) + 2)};  // where none is greater
+  hn::Vec<D> of_face_b[kCountB];
+  separate_faces<kCountB>(
+      d, s,
+      [&](int i, hn::Vec<D> separation) {
+        consider(s, 0, i, separation, found.of_a, found.reference);
+      },
+      of_face_b);
 
   found.of_b = of_face_b[0];
   for (int j = 1; j < kCountB; ++j) found.of_b = hn::Max(of_face_b[j], found.of_b);
@@ -126,11 +137,12 @@ HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, Lan
   }
 }
 
-/// The edge of each lane's incident polygon whose normal is most opposed, the first of equals.
+/// The edge of each lane's incident polygon whose normal is most opposed, the first of equals;
+/// `least` becomes both normals' product.
 template <class D>
 HWY_INLINE LaneEdge<D> incident_edge(D d, const Strip<D>& s, hn::Mask<D> incident_is_a,
-                                     const Lanes2<D>& normal) {
-  auto least = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::infinity());
+                                     const Lanes2<D>& normal, hn::Vec<D>& least) {
+  least = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::infinity());
   LaneEdge<D> incident = first_edge(s, 0);  // until the first product, which is less than infinity
   const auto consider_edges = [&](int first, int last, const auto& at, hn::Mask<D> among) {
     Lanes2<D> vertex = at(first, 0);

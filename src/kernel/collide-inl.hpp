@@ -22,7 +22,8 @@ struct LaneFeatures {
   LaneEdge<D> incident;
   hn::Vec<DInt<D>> face_second;  ///< the index of each edge's second vertex
   hn::Vec<DInt<D>> incident_second;
-  Lanes2<D> normal;  ///< the reference face's own
+  Lanes2<D> normal;    ///< the reference face's own
+  hn::Vec<D> product;  ///< of both edges' normals
 };
 
 template <class D>
@@ -31,10 +32,6 @@ HWY_INLINE LaneFeatures<D> choose_features(D d, const Strip<D>& s, const LaneSea
   const auto take_b_int = hn::RebindMask(di, found.take_b);
   const auto count_a = s.count(0);
   const auto count_b = s.count(1);
-  const auto next = [&](auto index, auto count) {
-    const auto after = hn::Add(index, hn::Set(di, 1));
-    return hn::IfThenZeroElse(hn::Eq(after, count), after);
-  };
   LaneFeatures<D> f;
   f.take_b = found.take_b;
   // One by one: g++ 12 copies structures of vectors in parts too small to be read back at once.
@@ -42,9 +39,10 @@ HWY_INLINE LaneFeatures<D> choose_features(D d, const Strip<D>& s, const LaneSea
             {found.reference.edge.first.x, found.reference.edge.first.y},
             {found.reference.edge.second.x, found.reference.edge.second.y}};
   f.normal = {found.reference.normal.x, found.reference.normal.y};
-  f.incident = incident_edge(d, s, f.take_b, f.normal);
-  f.face_second = next(f.face.index, hn::IfThenElse(take_b_int, count_b, count_a));
-  f.incident_second = next(f.incident.index, hn::IfThenElse(take_b_int, count_a, count_b));
+  f.incident = incident_edge(d, s, f.take_b, f.normal, f.product);
+  f.face_second = next_corner(di, f.face.index, hn::IfThenElse(take_b_int, count_b, count_a));
+  f.incident_second =
+      next_corner(di, f.incident.index, hn::IfThenElse(take_b_int, count_a, count_b));
   return f;
 }
 
@@ -190,7 +188,7 @@ HWY_NOINLINE void put_deepest_contacts(D d, const Strip<D>& s, hn::Mask<D> needs
     put(deepest_contact<T>({{s.corners[0], s.corners[1]},
                             column,
                             {static_cast<int>(at(kCountA)), static_cast<int>(at(kCountB))},
-                            at(kTotalRadius)}),
+                            {at(kTotalRadius), 0}}),
         out, column);
   }
 }
@@ -222,22 +220,6 @@ HWY_INLINE void collide_placed(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   const auto among = tie_bias > 0 ? hn::And(touching, empty) : touching;
   const auto needs = misses_deepest(d, s, m, found, total_radius, among);
   if (HWY_UNLIKELY(!hn::AllFalse(d, needs))) put_deepest_contacts(d, s, needs, out);
-}
-
-/// The manifolds of a block of pairs.
-template <class T>
-HWY_INLINE void collide_block(const PairBlock<T>& block, T tie_bias, ManifoldBlock<T>& out) {
-  using D = hn::CappedTag<T, kBlockPairs>;
-  const D d;
-  const Row<T>* const a = block.rows + kCorners;
-  const Row<T>* const b = a + polygon_rows(block.count_a);
-  Row<T> placed[polygon_rows(kMaxVertices)];
-  for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
-    Strip<D> strip{block.rows, {a, b}, {block.count_a, block.count_b}, column};
-    place(d, strip, placed);
-    strip.corners[1] = placed;
-    collide_placed(d, strip, tie_bias, out);
-  }
 }
 
 }  // namespace manifuzz::kernel::HWY_NAMESPACE

@@ -7,11 +7,13 @@
 
 namespace manifuzz::kernel {
 
+namespace {
+
 template <class Scalar>
-[[gnu::flatten]] Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair) {
-  ConvexPolygon<Scalar> polygons[2];
+void copy_column(const ColumnPair<Scalar>& pair, ConvexPolygon<Scalar> (&polygons)[2]) {
   for (int p = 0; p < 2; ++p) {
     polygons[p].count = pair.count[p];
+    polygons[p].radius = pair.radius[p];
     const Row<Scalar>* row = pair.corners[p];
     for (int i = 0; i < pair.count[p]; ++i, row += kCornerRows) {
       const auto at = [&](int element) { return row[element].column[pair.column]; };
@@ -19,8 +21,24 @@ template <class Scalar>
       polygons[p].normals[i] = {at(2), at(3)};
     }
   }
-  polygons[0].radius = pair.total_radius;  // only the sum of the radii is ever looked at
+}
+
+}  // namespace
+
+template <class Scalar>
+[[gnu::flatten]] Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair) {
+  ConvexPolygon<Scalar> polygons[2];
+  copy_column(pair, polygons);
   return clipping::deepest_contact(polygons[0], polygons[1]);
+}
+
+template <class Scalar>
+[[gnu::flatten]] Manifold<Scalar> collide_round_column(const ColumnPair<Scalar>& pair,
+                                                       Scalar tie_bias) {
+  ConvexPolygon<Scalar> polygons[2];
+  copy_column(pair, polygons);
+  polygons[0].rounding = Rounding::round;  // one of them is, and which does not matter
+  return clipping::collide_in_frame(polygons[0], polygons[1], tie_bias);
 }
 
 [[gnu::flatten]] Manifold<float> with_deepest_contact(const ShapeRows& a, const ShapeRows& b,
@@ -40,5 +58,7 @@ template <class Scalar>
 
 template Manifold<float> deepest_contact(const ColumnPair<float>&);
 template Manifold<double> deepest_contact(const ColumnPair<double>&);
+template Manifold<float> collide_round_column(const ColumnPair<float>&, float);
+template Manifold<double> collide_round_column(const ColumnPair<double>&, double);
 
 }  // namespace manifuzz::kernel

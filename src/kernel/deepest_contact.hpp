@@ -5,19 +5,24 @@
 
 namespace manifuzz::kernel {
 
-/// One pair of a block, both polygons in A's frame: the rows of each one's corners.
+/// One pair of a block, both shapes in A's frame: the rows of each one's corners. Of sharp polygons
+/// A's radius may be the sum of both, and B's 0.
 template <class Scalar>
 struct ColumnPair {
   const Row<Scalar>* corners[2];
   int column;
   int count[2];
-  Scalar total_radius;
+  Scalar radius[2];
 };
 
 /// `clipping::deepest_contact` of one pair: the rare pair whose chosen clip misses the overlap is
 /// handed back to the clean code, which is compiled apart from the kernels, without their target.
 template <class Scalar>
 Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair);
+
+/// `clipping::collide_in_frame` of one pair with a round shape, in which rounding decides.
+template <class Scalar>
+Manifold<Scalar> collide_round_column(const ColumnPair<Scalar>& pair, Scalar tie_bias);
 
 /// `manifold`, unless it misses the overlap by `clipping::misses_deepest`: then the deepest
 /// contact. Both shapes are in A's frame.

@@ -22,6 +22,7 @@ template <class T>
 struct BatchRows {
   Row<T> of_block[kCorners];
   Row<T> corners[2][kCornerRows * (kMaxVertices + 1)];  ///< both in A's frame
+  Row<T> radii[2];                                      ///< A's and B's
 };
 
 /// Reads `kScalars` of every lane's pair, from `address(lane)` on, as that many rows.
@@ -149,10 +150,15 @@ HWY_INLINE void fetch(const Shapes<T>& shapes, const PairBatch<T>& batch, BatchR
     }
   }
   Row<T>& total_radius = rows.of_block[kTotalRadius];
-  std::fill_n(total_radius.column, kBlockPairs, T{0});
+  for (Row<T>* const row : {&total_radius, &rows.radii[0], &rows.radii[1]}) {
+    std::fill_n(row->column, kBlockPairs, T{0});
+  }
   for (int column = 0; shapes.has_radius() && column < kBlockPairs; ++column) {
-    total_radius.column[column] = shapes.radius(batch.pair[column].body[0]->shape) +
-                                  shapes.radius(batch.pair[column].body[1]->shape);
+    for (const int p : {0, 1}) {
+      const T radius = shapes.radius(batch.pair[column].body[p]->shape);
+      rows.radii[p].column[column] = radius;
+      total_radius.column[column] += radius;
+    }
   }
   const bool shared[2] = {shares_shape(batch, 0), shares_shape(batch, 1)};
   const hn::CappedTag<T, kBlockPairs> widest;

@@ -51,6 +51,13 @@ HWY_INLINE Lanes2<D> select(hn::Mask<D> mask, const Lanes2<D>& there, const Lane
   return {hn::IfThenElse(mask, there.x, here.x), hn::IfThenElse(mask, there.y, here.y)};
 }
 
+/// The corner after this one, counted round.
+template <class DI, class VI>
+HWY_INLINE VI next_corner(DI di, VI index, VI count) {
+  const auto after = hn::Add(index, hn::Set(di, 1));
+  return hn::IfThenZeroElse(hn::Eq(after, count), after);
+}
+
 /// Some columns of a block, as many as a vector has lanes, with B's polygon in A's frame.
 template <class D>
 struct Strip {
@@ -60,6 +67,7 @@ struct Strip {
   const Row<T>* corners[2];  ///< A's rows, and B's once placed
   int count_max[2];
   int column;
+  const Row<T>* radii = nullptr;  ///< A's and B's, where a shape is round
 
   HWY_INLINE hn::Vec<D> load(const Row<T>& row) const { return hn::Load(D(), row.column + column); }
   HWY_INLINE Lanes2<D> load2(const Row<T>* row) const { return {load(row[0]), load(row[1])}; }

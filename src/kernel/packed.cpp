@@ -27,23 +27,23 @@ PackedPairs<Scalar>::PackedPairs(const Shapes<Scalar>& shapes,
                                  std::span<const BodyPair> pairs) {
   for (std::size_t first = 0; first < pairs.size(); first += kBlockPairs) {
     Columns columns;
-    bool are_circles = true;
+    unsigned kinds = 0;  // a bit each
     for (int column = 0; column < kBlockPairs; ++column) {
       // The last block is filled up with its last pair.
       const BodyPair& pair = pairs[std::min(first + column, pairs.size() - 1)];
       columns.body[column][0] = &bodies[pair.a];
       columns.body[column][1] = &bodies[pair.b];
-      for (const Placement<Scalar>* const body : columns.body[column]) {
-        are_circles = are_circles && shapes.kind(body->shape) == kCircle;
-      }
+      kinds |= 1U << static_cast<unsigned>(
+                   kind_of_group(shapes.group(bodies[pair.a].shape, bodies[pair.b].shape)));
     }
     Block block{rows_.size()};
-    block.are_circles = are_circles;
-    if (are_circles) {
+    const bool is_of_one_kind = std::has_single_bit(kinds);
+    if (is_of_one_kind) block.kind = static_cast<PairKind>(std::countr_zero(kinds));
+    if (block.kind == PairKind::circles) {
       pack_circles(shapes, columns, block);
     } else {
       pack_polygons(shapes, columns, block);
-      keep_round(shapes, columns, block);
+      if (!is_of_one_kind) keep_round(shapes, columns, block);
     }
     blocks_.push_back(block);
   }
@@ -59,7 +59,8 @@ void PackedPairs<Scalar>::pack_circles(const Shapes<Scalar>& shapes, const Colum
   }
 }
 
-/// Round shapes are laid out, too: their columns are collided in vain, and again one by one.
+/// In blocks of several kinds, round shapes are laid out, too: their columns are collided in vain,
+/// and again one by one.
 template <class Scalar>
 void PackedPairs<Scalar>::pack_polygons(const Shapes<Scalar>& shapes, const Columns& columns,
                                         Block& block) {
@@ -68,15 +69,17 @@ void PackedPairs<Scalar>::pack_polygons(const Shapes<Scalar>& shapes, const Colu
     block.count_b = std::max(block.count_b, static_cast<int>(shapes.count(b->shape)));
   }
   rows_.resize(block.first_row + kCorners + polygon_rows(block.count_a) +
-               polygon_rows(block.count_b));
+               polygon_rows(block.count_b) + kRadiusRows);
   Row<Scalar>* const rows = rows_.data() + block.first_row;
   for (int column = 0; column < kBlockPairs; ++column) {
     const auto& bodies = columns.body[column];
     rows[kTotalRadius].column[column] =
         shapes.radius(bodies[0]->shape) + shapes.radius(bodies[1]->shape);
     Row<Scalar>* corner = rows + kCorners;
+    Row<Scalar>* const radii = rows_.data() + rows_.size() - kRadiusRows;
     for (const int side : {0, 1}) {
       const Placement<Scalar>& placed = *bodies[side];
+      radii[side].column[column] = shapes.radius(placed.shape);
       Row<Scalar>* const pose = rows + (side == 0 ? kPoseA : kPoseB);
       for (int axis = 0; axis < 2; ++axis) {
         pose[axis].column[column] = placed.pose.position[axis];

@@ -55,6 +55,9 @@ constexpr int polygon_rows(int count_max) {
   return kCornerRows * count_max + 2;
 }
 
+/// The rows of both shapes' radii, behind their corners.
+inline constexpr int kRadiusRows = 2;
+
 /// A body: which shape, and where it stands. (cos, sin) is taken to be unit.
 template <class Scalar>
 struct Placement {
@@ -82,20 +85,20 @@ template <class Scalar>
 void put_circles(const Shapes<Scalar>& shapes, const Placement<Scalar>& a,
                  const Placement<Scalar>& b, Row<Scalar>* rows, int column);
 
-/// Sixteen pairs: `PairRow`s, then A's rows, then B's; or, where all shapes are circles,
-/// `CircleRow`s.
+/// Sixteen pairs: `PairRow`s, then A's rows, then B's, then A's radii and B's; or, where all shapes
+/// are circles, `CircleRow`s.
 template <class Scalar>
 struct PairBlock {
   const Row<Scalar>* rows = nullptr;         ///< all of them
   int count_a = 0;                           ///< the most corners of any A
   int count_b = 0;                           ///< the most corners of any B
-  bool are_circles = false;                  ///< all of them
-  std::span<const RoundPair<Scalar>> round;  ///< its pairs that have a round shape, unless circles
+  PairKind kind = PairKind::sharp;           ///< of all of them, or sharp
+  std::span<const RoundPair<Scalar>> round;  ///< those of another kind
 };
 
-/// Many pairs, laid out for the kernel. Pairs of equal vertex counts are best kept together: a
-/// block takes as long as its largest polygons. So are pairs of circles, and others with a round
-/// shape, which are collided one by one.
+/// Many pairs, laid out for the kernel. Pairs of a group (`Shapes::group`) are best kept together:
+/// a block takes as long as its largest polygons, and where its pairs are of several kinds, those
+/// with a round shape are collided one by one.
 template <class Scalar>
 class PackedPairs {
  public:
@@ -108,7 +111,7 @@ class PackedPairs {
   /// A block, for as long as this object lives.
   PairBlock<Scalar> block(std::size_t index) const {
     const Block& block = blocks_[index];
-    return {rows_.data() + block.first_row, block.count_a, block.count_b, block.are_circles,
+    return {rows_.data() + block.first_row, block.count_a, block.count_b, block.kind,
             std::span(round_).subspan(block.first_round, block.round_count)};
   }
 
@@ -117,7 +120,7 @@ class PackedPairs {
     std::size_t first_row = 0;
     int count_a = 0;
     int count_b = 0;
-    bool are_circles = false;
+    PairKind kind = PairKind::sharp;
     std::size_t first_round = 0;
     std::size_t round_count = 0;
   };

@@ -54,6 +54,7 @@ HWY_INLINE void place(const ShapeRows& shape, const LanePose<Faces>& pose, Shape
   }
   placed.count = shape.count;
   placed.radius = shape.radius;
+  placed.rounding = shape.rounding;
 }
 
 /// A value of each face of a polygon.

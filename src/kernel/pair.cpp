@@ -166,6 +166,27 @@ HWY_INLINE void clip_touching(const ShapeRows& a, const ShapeRows& placed, const
 
 #endif  // HWY_TARGET == HWY_SCALAR
 
+void place_shape(const ShapeRows& shape, const Pose<float>& pose, ShapeRows& placed) {
+  place(shape, lane_pose(pose.position.data()), placed);
+}
+
+/// The faces of greatest separation of a pair with a round shape, B becoming `placed` in A's frame;
+/// whether one separates by more than the total radius. A circle has none.
+bool separate_round(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
+                    ShapeRows& placed, RoundFaces& found) {
+  const float reach = a.radius + b.radius;
+  place_shape(b, b_in_a, placed);
+  const ShapeRows* const shapes[2] = {&a, &placed};
+  for (const int p : {0, 1}) {
+    if (shapes[p]->count == 1) continue;
+    const Extreme of_face = greatest(face_separations(*shapes[p], *shapes[1 - p]));
+    if (of_face.value > reach) return true;
+    found.face[p] = of_face.face;
+    found.separation[p] = of_face.value;
+  }
+  return false;
+}
+
 void collide_pair(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a, float tie_bias,
                   FaceHint* hint, Manifold<float>& manifold) {
   if (try_hint(a, b, b_in_a, hint).separates) return clear(manifold);
@@ -183,6 +204,8 @@ HWY_AFTER_NAMESPACE();
 namespace manifuzz::kernel {
 
 HWY_EXPORT(collide_pair);
+HWY_EXPORT(place_shape);
+HWY_EXPORT(separate_round);
 HWY_EXPORT(separation);
 HWY_EXPORT(touches);
 
@@ -193,24 +216,48 @@ bool are_round(const ShapeRows& a, const ShapeRows& b) {
   return (static_cast<unsigned>(a.rounding) | static_cast<unsigned>(b.rounding)) != 0;
 }
 
-// Functions of their own, so that the stack frame for sharp polygons holds none of these shapes.
+bool are_circles(const ShapeRows& a, const ShapeRows& b) {
+  return a.count == 1 && b.count == 1;
+}
 
-[[gnu::noinline]] Manifold<float> manifold_of_round(const ShapeRows& a, const ShapeRows& b,
-                                                    const Pose<float>& b_in_a, float tie_bias) {
-  return collide_round_pair(polygon_of(a), polygon_of(b), b_in_a, tie_bias);
+Manifold<float> collide_sharp(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
+                              float tie_bias, FaceHint* hint) {
+  Manifold<float> manifold;  // of one name, so that it is made where it is returned
+  HWY_DYNAMIC_DISPATCH(collide_pair)(a, b, b_in_a, tie_bias, hint, manifold);
+  return manifold;
+}
+
+/// The manifold of a pair with a round shape; `placed` becomes B in A's frame, unless both are
+/// circles.
+Manifold<float> collide_round(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
+                              float tie_bias, ShapeRows& placed) {
+  if (are_circles(a, b)) return collide_circles(a, b, b_in_a);
+  RoundFaces found;
+  if (HWY_DYNAMIC_DISPATCH(separate_round)(a, b, b_in_a, placed, found)) return {};
+  return contact_of_round_pair(a, placed, found, tie_bias);
+}
+
+/// Apart from `collide`, so that the stack frame for sharp polygons does not hold this shape.
+[[gnu::noinline]] Manifold<float> collide_round(const ShapeRows& a, const ShapeRows& b,
+                                                const Pose<float>& b_in_a, float tie_bias) {
+  ShapeRows placed;
+  return collide_round(a, b, b_in_a, tie_bias, placed);
 }
 
 [[gnu::noinline]] PairSeparation separation_of_round(const ShapeRows& a, const ShapeRows& b,
                                                      const Pose<float>& b_in_a) {
-  const Manifold<float> m = collide_round_pair_or_gap(polygon_of(a), polygon_of(b), b_in_a, 0.0F);
+  ShapeRows placed;
+  const Manifold<float> m = collide_round(a, b, b_in_a, 0, placed);
   const float reach = a.radius + b.radius;  // of both skins
-  const bool touches = m.count > 0;
-  float depth = m.points[0].depth;
-  if (m.count > 1) depth = std::max(depth, m.points[1].depth);
-  const float separation = reach - depth;
-  if (touches) return {touches, separation, {}};
-  return {touches,
-          std::max(separation, std::nextafter(reach, std::numeric_limits<float>::infinity())),
+  if (m.count > 0) {
+    float depth = m.points[0].depth;
+    if (m.count > 1) depth = std::max(depth, m.points[1].depth);
+    return {true, reach - depth, {}};
+  }
+  if (are_circles(a, b)) HWY_DYNAMIC_DISPATCH(place_shape)(b, b_in_a, placed);
+  return {false,
+          std::max(between_outlines(a, placed),
+                   std::nextafter(reach, std::numeric_limits<float>::infinity())),
           {}};
 }
 
@@ -218,17 +265,15 @@ bool are_round(const ShapeRows& a, const ShapeRows& b) {
 
 Manifold<float> collide(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                         float tie_bias, FaceHint* hint) {
-  Manifold<float> manifold;  // of one name, so that it is made where it is returned
   if (HWY_UNLIKELY(are_round(a, b))) {
-    manifold = manifold_of_round(a, b, b_in_a, tie_bias);
-  } else {
-    HWY_DYNAMIC_DISPATCH(collide_pair)(a, b, b_in_a, tie_bias, hint, manifold);
+    return are_circles(a, b) ? collide_circles(a, b, b_in_a)
+                             : collide_round(a, b, b_in_a, tie_bias);
   }
-  return manifold;
+  return collide_sharp(a, b, b_in_a, tie_bias, hint);
 }
 
 bool touches(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a, FaceHint* hint) {
-  if (HWY_UNLIKELY(are_round(a, b))) return manifold_of_round(a, b, b_in_a, 0).count > 0;
+  if (HWY_UNLIKELY(are_round(a, b))) return collide_round(a, b, b_in_a, 0).count > 0;
   return HWY_DYNAMIC_DISPATCH(touches)(a, b, b_in_a, hint);
 }
 

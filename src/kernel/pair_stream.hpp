@@ -4,8 +4,8 @@
 
 #include "kernel/packed.hpp"
 
-// Pairs as they are found, one after another. Each goes to the batch of both shapes' kinds, and a
-// full batch is collided.
+// Pairs as they are found, one after another. Each goes to the batch of its group, and a full batch
+// is collided.
 
 namespace manifuzz::kernel {
 
@@ -21,19 +21,14 @@ struct PairBatch {
 
   Pair pair[kBlockPairs];  ///< a column each
   int count[2];            ///< every A's corners and every B's; 0 where they differ
+  PairKind kind;           ///< of all of them
 };
 
-/// Collides sixteen pairs of sharp polygons, equal to `clipping::collide` of each, bit for bit.
-/// `tie_bias` is a length >= 0.
+/// Collides sixteen pairs of a kind, equal to `clipping::collide` of each, bit for bit. `tie_bias`
+/// is a length >= 0.
 void collide_batch(const Shapes<float>& shapes, const PairBatch<float>& batch, float tie_bias);
-/// Collides sixteen pairs of sharp polygons in double.
+/// Collides sixteen pairs of a kind in double.
 void collide_batch(const Shapes<double>& shapes, const PairBatch<double>& batch, double tie_bias);
-
-/// Collides up to sixteen pairs of which one shape is round, or both are, and whose kinds are those
-/// of the first: equal to `clipping::collide` of each, bit for bit. `tie_bias` is a length >= 0.
-template <class Scalar>
-void collide_round(const Shapes<Scalar>& shapes,
-                   std::span<const typename PairBatch<Scalar>::Pair> pairs, Scalar tie_bias);
 
 /// A scene's pairs on their way to the kernel for many. Shapes and bodies stay where and as they
 /// are until `finish`, and so do the manifolds: they may be written at any `push`, in any order.
@@ -50,22 +45,19 @@ class PairStream {
   void push(const BodyPair& pair, Manifold<Scalar>& out) {
     const Placement<Scalar>& a = bodies_[pair.a];
     const Placement<Scalar>& b = bodies_[pair.b];
-    const unsigned key = shapes_.kind(a.shape) * kShapeKinds + shapes_.kind(b.shape);
+    const unsigned group = shapes_.group(a.shape, b.shape);
     const auto corners = [&](const Placement<Scalar>& body) {
       const ShapeCorners<Scalar>& fetched = shapes_.corners(body.shape);
       __builtin_prefetch(&fetched);
       __builtin_prefetch(&fetched.scalars[fetched.scalars.size() / 2]);
       return fetched.scalars.data();
     };
-    PairBatch<Scalar>& batch = batches_[key];
-    const unsigned column = sizes_[key]++;
+    PairBatch<Scalar>& batch = batches_[group];
+    const unsigned column = sizes_[group]++;
     batch.pair[column] = {{&a, &b}, {corners(a), corners(b)}, &out};
     if (column + 1 < kBlockPairs) return;
-    sizes_[key] = 0;
-    if (is_round(key)) {
-      collide_round<Scalar>(shapes_, batch.pair, tie_bias_);
-      return;
-    }
+    sizes_[group] = 0;
+    batch.kind = kind_of_group(group);
     batch.count[0] = static_cast<int>(shapes_.count(a.shape));
     batch.count[1] = static_cast<int>(shapes_.count(b.shape));
     collide_batch(shapes_, batch, tie_bias_);
@@ -75,18 +67,11 @@ class PairStream {
   void finish();
 
  private:
-  static constexpr unsigned kKeys = kShapeKinds * kShapeKinds;
-
-  /// Whether a shape of these pairs is round.
-  static bool is_round(unsigned key) {
-    return key / kShapeKinds >= kCircle || key % kShapeKinds >= kCircle;
-  }
-
   const Shapes<Scalar>& shapes_;
   std::span<const Placement<Scalar>> bodies_;
   Scalar tie_bias_;
-  std::array<std::uint8_t, kKeys> sizes_{};
-  std::array<PairBatch<Scalar>, kKeys> batches_;  // by both kinds
+  std::array<std::uint8_t, kPairGroups> sizes_{};
+  std::array<PairBatch<Scalar>, kPairGroups> batches_;  // most of them are never touched
 };
 
 }  // namespace manifuzz::kernel

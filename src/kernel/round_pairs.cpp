@@ -7,10 +7,71 @@
 
 namespace manifuzz::kernel {
 
+namespace {
+
+/// A circle's core: all of it that its contact asks for.
+ConvexPolygon<float> centre_of(const ShapeRows& rows) {
+  ConvexPolygon<float> circle;
+  circle.vertices[0] = {rows.x[0], rows.y[0]};
+  circle.count = 1;
+  circle.radius = rows.radius;
+  circle.rounding = Rounding::round;
+  return circle;
+}
+
+/// A shape as the clean code takes it. Aligned: what is written as vectors is read back at once.
+struct alignas(64) LaidOut {
+  ConvexPolygon<float> polygon;
+
+  /// Places past the last corner are copied as well: a loop of known length goes through vectors.
+  explicit LaidOut(const ShapeRows& rows) {
+    for (int i = 0; i < kMaxVertices; ++i) {
+      polygon.vertices[i] = {rows.x[i], rows.y[i]};
+      polygon.normals[i] = {rows.normal_x[i], rows.normal_y[i]};
+    }
+    polygon.count = rows.count;
+    polygon.radius = rows.radius;
+    polygon.rounding = rows.rounding;
+  }
+};
+
 template <class Scalar>
-Manifold<Scalar> collide_round_pair(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                    const Pose<Scalar>& b_in_a, Scalar tie_bias) {
-  return clipping::collide(a, b, b_in_a, tie_bias);
+Scalar between_outlines(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
+  return static_cast<Scalar>(std::sqrt(clipping::squared_between_outlines(a, b)));
+}
+
+}  // namespace
+
+/// Flattened: the centres stay in registers.
+[[gnu::flatten]] Manifold<float> collide_circles(const ShapeRows& a, const ShapeRows& b,
+                                                 const Pose<float>& b_in_a) {
+  ConvexPolygon<float> placed = centre_of(b);
+  placed.vertices[0] = transform(b_in_a, placed.vertices[0]);
+  return clipping::contact_of_circles(centre_of(a), placed);
+}
+
+[[gnu::flatten]] Manifold<float> contact_of_round_pair(const ShapeRows& a, const ShapeRows& b_in_a,
+                                                       const RoundFaces& found, float tie_bias) {
+  const LaidOut laid_out_a(a);
+  const LaidOut laid_out_b(b_in_a);
+  const ConvexPolygon<float>& polygon_a = laid_out_a.polygon;
+  const ConvexPolygon<float>& polygon_b = laid_out_b.polygon;
+  const auto of = [&](int p) {
+    return clipping::FaceSeparation<float>{found.face[p], found.separation[p], 0};
+  };
+  if (b_in_a.count == 1) {
+    return clipping::contact_at_face<float>(polygon_a, polygon_b, Side::a, of(0), {});
+  }
+  if (a.count == 1) {
+    return clipping::contact_at_face<float>(polygon_a, polygon_b, Side::b, of(1), {});
+  }
+  return clipping::contact_of_cores<float>(
+      polygon_a, polygon_b, clipping::face_separation(polygon_a, found.face[0], polygon_b),
+      clipping::face_separation(polygon_b, found.face[1], polygon_a), tie_bias, {});
+}
+
+float between_outlines(const ShapeRows& a, const ShapeRows& b_in_a) {
+  return between_outlines(LaidOut(a).polygon, LaidOut(b_in_a).polygon);
 }
 
 template <class Scalar>
@@ -20,14 +81,11 @@ Manifold<Scalar> collide_round_pair_or_gap(const ConvexPolygon<Scalar>& a,
   const ConvexPolygon<Scalar> placed = transform(b_in_a, b);
   Manifold<Scalar> manifold = clipping::collide_in_frame(a, placed, tie_bias);
   if (manifold.count > 0) return manifold;
-  const auto between_cores =
-      static_cast<Scalar>(std::sqrt(clipping::squared_between_outlines(a, placed)));
-  manifold.points[0].depth = std::min(a.radius + b.radius - between_cores, Scalar(0));
+  const Scalar depth = a.radius + b.radius - between_outlines(a, placed);
+  manifold.points[0].depth = std::min(depth, Scalar(0));
   return manifold;
 }
 
-template Manifold<float> collide_round_pair(const ConvexPolygon<float>&,
-                                            const ConvexPolygon<float>&, const Pose<float>&, float);
 template Manifold<float> collide_round_pair_or_gap(const ConvexPolygon<float>&,
                                                    const ConvexPolygon<float>&, const Pose<float>&,
                                                    float);

@@ -4,12 +4,6 @@ namespace manifuzz::kernel {
 
 namespace {
 
-template <class Scalar>
-unsigned kind_of(const ConvexPolygon<Scalar>& polygon) {
-  if (!polygon.is_round()) return static_cast<unsigned>(polygon.count - kMinVertices);
-  return polygon.count == 1 ? kCircle : kRoundCore;
-}
-
 /// So that the next element needs no memory.
 template <class Vector>
 void make_room_for_one(Vector& vector) {
@@ -34,7 +28,8 @@ std::uint32_t Shapes<Scalar>::add(const ConvexPolygon<Scalar>& polygon) {
     }
   }
   polygons_.push_back(polygon);
-  kinds_.push_back(static_cast<std::uint8_t>(kind_of(polygon)));
+  kinds_.push_back(
+      static_cast<std::uint8_t>(polygon.count - 1 + (polygon.is_round() ? kMaxVertices : 0)));
   counts_.push_back(static_cast<std::uint8_t>(polygon.count));
   radii_.push_back(polygon.radius);
   has_radius_ = has_radius_ || polygon.radius > 0;

@@ -19,13 +19,30 @@ struct alignas(64) ShapeCorners {
   std::array<Scalar, std::size_t{kCornerScalars} * kMaxVertices> scalars{};  ///< corner by corner
 };
 
-/// Shapes that go through the kernels together: sharp polygons by their number of vertices, from 0
-/// for kMinVertices on; then circles, and whatever else is round.
-enum ShapeKind : unsigned {
-  kCircle = kMaxVertices - kMinVertices + 1,  ///< one vertex and a radius
-  kRoundCore,  ///< a segment, a capsule, or a polygon whose corners are round
-  kShapeKinds  ///< how many kinds there are
+/// How a pair of shapes is collided: all pairs of a batch alike.
+enum class PairKind : std::uint8_t {
+  sharp,            ///< two mitred polygons
+  cores,            ///< both have faces, and one of them is round, or both are
+  core_and_circle,  ///< A has faces, B is a circle
+  circle_and_core,  ///< A is a circle, B has faces
+  circles,          ///< two circles
 };
+
+/// How many kinds of pairs there are.
+inline constexpr unsigned kPairKinds = 5;
+
+/// Groups of pairs are numbered from 0: by A's vertices and B's, first mitred polygons among
+/// themselves, then pairs with a round shape.
+inline constexpr unsigned kPairGroups = 2 * kMaxVertices * kMaxVertices;
+
+/// What the pairs of a group are.
+constexpr PairKind kind_of_group(unsigned group) {
+  if (group < kPairGroups / 2) return PairKind::sharp;
+  const bool a_is_circle = group / kMaxVertices % kMaxVertices == 0;
+  const bool b_is_circle = group % kMaxVertices == 0;
+  if (a_is_circle) return b_is_circle ? PairKind::circles : PairKind::circle_and_core;
+  return b_is_circle ? PairKind::core_and_circle : PairKind::cores;
+}
 
 /// The shapes that a scene's bodies refer to by index. Each is laid out once, when it is added.
 template <class Scalar>
@@ -39,8 +56,13 @@ class Shapes {
   const ShapeCorners<Scalar>& corners(std::uint32_t shape) const { return corners_[shape]; }
   /// A shape as it was added.
   const ConvexPolygon<Scalar>& polygon(std::uint32_t shape) const { return polygons_[shape]; }
-  /// A shape's `ShapeKind`.
-  unsigned kind(std::uint32_t shape) const { return kinds_[shape]; }
+  /// The group of a pair of these shapes: those of a group go through the kernels together.
+  unsigned group(std::uint32_t a, std::uint32_t b) const {
+    constexpr unsigned round = kPairGroups / 2;
+    const unsigned corners =
+        (kinds_[a] & (kMaxVertices - 1U)) * kMaxVertices + (kinds_[b] & (kMaxVertices - 1U));
+    return corners + ((kinds_[a] | kinds_[b]) >= kMaxVertices ? round : 0);
+  }
   /// How many vertices a shape has.
   unsigned count(std::uint32_t shape) const { return counts_[shape]; }
   /// A shape's radius, a length.
@@ -50,7 +72,7 @@ class Shapes {
  private:
   std::vector<ConvexPolygon<Scalar>> polygons_;
   std::vector<ShapeCorners<Scalar>> corners_;
-  std::vector<std::uint8_t> kinds_;
+  std::vector<std::uint8_t> kinds_;  // the count less one, and kMaxVertices where it is round
   std::vector<std::uint8_t> counts_;
   std::vector<Scalar> radii_;
   bool has_radius_ = false;

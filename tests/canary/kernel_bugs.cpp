@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "canary/blame.hpp"
+#include "canary/company.hpp"
 #include "canary/planted.hpp"
 #include "canary/search.hpp"
 #include "clipping/collide.hpp"
@@ -91,38 +92,6 @@ float tie_bias(std::uint64_t number) {
   return number / polygon_regimes().size() % 2 == 0 ? 0.0F : 0.0005F;
 }
 
-/// Whether the chosen features' clip misses the overlap: what is found is the deepest contact.
-bool takes_deepest_contact(const PairCase& pair) {
-  const ConvexPolygon<float>& a = pair.a.polygon;
-  const auto b = transform(relative_pose(pair.a.pose, pair.b.pose), pair.b.polygon);
-  const auto manifold = clipping::collide_in_frame(a, b);
-  if (manifold.count == 0) return false;
-  constexpr float no_limit = std::numeric_limits<float>::infinity();
-  const auto of_a = clipping::greatest_separation(a, b, no_limit);
-  const auto of_b = clipping::greatest_separation(b, a, no_limit);
-  const clipping::ContactFeatures features =
-      of_b.separation > of_a.separation
-          ? clipping::ContactFeatures{Side::b, of_b.face,
-                                      clipping::incident_edge(a, b.normals[of_b.face])}
-          : clipping::ContactFeatures{Side::a, of_a.face,
-                                      clipping::incident_edge(b, a.normals[of_a.face])};
-  return manifold != clipping::clip_features(a, b, features);
-}
-
-/// One case of each regime, and one that takes the deepest contact.
-const std::vector<PairCase>& companions() {
-  static const std::vector<PairCase> all = [] {
-    std::vector<PairCase> made;
-    for (const Regime& regime : polygon_regimes()) made.push_back(generate(2, regime, 0));
-    const Regime& regime = *find_regime("near_collinear");
-    std::uint64_t index = 0;
-    while (!takes_deepest_contact(generate(2, regime, index))) ++index;
-    made.push_back(generate(2, regime, index));
-    return made;
-  }();
-  return all;
-}
-
 /// What the clean code says of a pair.
 PairAnswers clean_answers(const PairCase& pair, float bias) {
   const ConvexPolygon<float>& a = pair.a.polygon;
@@ -192,30 +161,6 @@ std::optional<Broken> broken_by_hints(AskPair ask, std::uint64_t number, const P
   return std::nullopt;
 }
 
-/// One among others: at both ends, and in the middle.
-template <class T>
-std::vector<T> crowd(const std::vector<T>& others, const T& one, std::size_t size) {
-  std::vector<T> all;
-  for (std::size_t i = 0; i < size; ++i) all.push_back(others[i % others.size()]);
-  for (const std::size_t i : {std::size_t{0}, size / 2, size - 1}) all[i] = one;
-  return all;
-}
-
-/// More than a block, no whole number of them; now and then more than the kernels group at once.
-std::size_t crowd_size(std::uint64_t number) {
-  return number % 1000 == 999 ? 4200 : 23;
-}
-
-template <class Scalar>
-const std::vector<Placed<Scalar>>& placed_companions() {
-  static const std::vector<Placed<Scalar>> all = [] {
-    std::vector<Placed<Scalar>> placed;
-    for (const PairCase& pair : companions()) placed.push_back(clipping::placed_pair<Scalar>(pair));
-    return placed;
-  }();
-  return all;
-}
-
 template <class Scalar>
 Answer answer(Manifold<Scalar> manifold, Scalar local_per_world) {
   for (ContactPoint<Scalar>& point : manifold.points) point.position *= local_per_world;
@@ -231,9 +176,7 @@ std::optional<Broken> broken_by_batch(typename PlantedBatch<Scalar>::Collide col
   const auto placed = clipping::placed_pair<Scalar>(pair);
   const auto right =
       clipping::collide(placed.a, placed.b, relative_pose(placed.pose_a, placed.pose_b), bias);
-  // Round ones fill whole batches, which are of one kind.
-  const auto all = crowd(is_round(pair) ? std::vector{placed} : placed_companions<Scalar>(), placed,
-                         crowd_size(number));
+  const auto all = company(number, placed);
   std::vector<Manifold<Scalar>> manifolds(all.size());
   collide(all, bias, manifolds.data());
   for (const std::size_t i : {std::size_t{0}, all.size() / 2, all.size() - 1}) {

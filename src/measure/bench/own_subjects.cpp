@@ -160,8 +160,7 @@ template <class Scalar>
 Pass packed_pass(std::span<const PairCase> pairs) {
   Bodies<Scalar> held = bodies_of<Scalar>(pairs);
   std::ranges::stable_sort(held.pairs, {}, [&](const kernel::BodyPair& pair) {
-    return std::pair(held.shapes.kind(held.bodies[pair.a].shape),
-                     held.shapes.kind(held.bodies[pair.b].shape));
+    return held.shapes.group(held.bodies[pair.a].shape, held.bodies[pair.b].shape);
   });
   const auto packed =
       std::make_shared<const kernel::PackedPairs<Scalar>>(held.shapes, held.bodies, held.pairs);

@@ -122,6 +122,61 @@ TEST_CASE("shapes of every kind in one scene are answered as alone") {
   check_scene(scene_of<double>(regimes));
 }
 
+TEST_CASE("round shapes are answered where none of a scene has a radius") {
+  Scene<float> scene;
+  const Regime& regime = *find_regime("capsules");
+  for (std::uint64_t i = 0; scene.pairs.size() < 100; ++i) {
+    const auto placed = clipping::placed_pair<float>(generate(5, regime, i));
+    if (placed.a.radius + placed.b.radius > 0) continue;
+    scene.add(placed.a, placed.pose_a);
+    scene.add(placed.b, placed.pose_b);
+    const auto count = static_cast<std::uint32_t>(scene.bodies.size());
+    scene.pairs.push_back({count - 2, count - 1});
+  }
+  check_scene(scene);
+}
+
+namespace {
+
+/// A gap is no more than how far apart the cores are, less the radii, and no less than by their
+/// faces, each but for rounding.
+bool is_gap(const ConvexPolygon<float>& a, const ConvexPolygon<float>& b, float gap) {
+  constexpr float no_limit = std::numeric_limits<float>::infinity();
+  const float total_radius = a.radius + b.radius;
+  const float rounding = 4 * (clipping::separation_roundoff(a, b) + 0x1p-23F * total_radius);
+  const auto cores = static_cast<float>(std::sqrt(clipping::squared_between_outlines(a, b)));
+  float by_faces = -no_limit;
+  if (a.count > 1) by_faces = clipping::greatest_separation(a, b, no_limit).separation;
+  if (b.count > 1) {
+    by_faces = std::max(by_faces, clipping::greatest_separation(b, a, no_limit).separation);
+  }
+  return gap >= 0 && gap <= std::max(cores - total_radius, 0.0F) + rounding &&
+         gap >= by_faces - total_radius - rounding;
+}
+
+}  // namespace
+
+TEST_CASE("the gap of round shapes is no more than what is between them, in every regime") {
+  for (const Regime& regime : round_regimes()) {
+    INFO(regime.name);
+    Scene<float> scene = scene_of<float>(regime);
+    scene.expect(0);
+    on_every_target([&] {
+      std::vector<Manifold<float>> manifolds(scene.pairs.size());
+      kernel::collide_pairs(scene.shapes, scene.bodies, scene.pairs, 0.0F, manifolds);
+      std::size_t wrong = 0;
+      for (std::size_t i = 0; i < manifolds.size(); ++i) {
+        if (manifolds[i].count > 0) continue;
+        const auto& [a, b] = scene.pairs[i];
+        const auto b_in_a = relative_pose(scene.bodies[a].pose, scene.bodies[b].pose);
+        wrong += !is_gap(scene.polygons[a], transform(b_in_a, scene.polygons[b]),
+                         -manifolds[i].points[0].depth);
+      }
+      CHECK(wrong == 0);
+    });
+  }
+}
+
 TEST_CASE("round shapes that do not touch have the gap that is between them") {
   kernel::Shapes<float> shapes;
   const Vector2<float> corners[] = {{0, 0}, {1, 0}, {0, 1}};
