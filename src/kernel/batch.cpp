@@ -16,13 +16,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {
 
-/// The manifolds of a strip whose B stands in A's frame.
+/// A strip with round shapes. Apart, so that sharp ones keep the registers to themselves.
 template <class D>
-HWY_INLINE void collide_strip(D d, const Strip<D>& s, PairKind kind, hn::TFromD<D> tie_bias,
-                              ManifoldBlock<hn::TFromD<D>>& out) {
+HWY_NOINLINE void collide_round_strip(D d, const Strip<D>& s, PairKind kind, hn::TFromD<D> tie_bias,
+                                      ManifoldBlock<hn::TFromD<D>>& out) {
   switch (kind) {
-    case PairKind::sharp:
-      return collide_placed(d, s, tie_bias, out);
     case PairKind::cores:
       return collide_cores(d, s, tie_bias, out);
     case PairKind::circles:
@@ -31,6 +29,14 @@ HWY_INLINE void collide_strip(D d, const Strip<D>& s, PairKind kind, hn::TFromD<
     default:
       return collide_circle_and_core(d, s, kind == PairKind::core_and_circle ? 0 : 1, out);
   }
+}
+
+/// The manifolds of a strip whose B stands in A's frame.
+template <class D>
+HWY_INLINE void collide_strip(D d, const Strip<D>& s, PairKind kind, hn::TFromD<D> tie_bias,
+                              ManifoldBlock<hn::TFromD<D>>& out) {
+  if (HWY_LIKELY(kind == PairKind::sharp)) return collide_placed(d, s, tie_bias, out);
+  collide_round_strip(d, s, kind, tie_bias, out);
 }
 
 /// The manifolds of a block of pairs.

@@ -98,15 +98,16 @@ HWY_INLINE void separate_faces(D d, const Strip<D>& s, const Consider& consider_
 /// Where a face of B leads, it replaces A's as the reference, which is carried along once.
 template <int kCountB, class D>
 HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, LaneSearch<D>& found) {
-  found.of_a = hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity());
-  found.reference = {first_edge(s, 0), s.load2(s.corner(0, 0) + 2)};  // where none is greater
+  auto of_a = hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity());
+  LaneFace<D> reference{first_edge(s, 0), s.load2(s.corner(0, 0) + 2)};  // where none is greater
   hn::Vec<D> of_face_b[kCountB];
   separate_faces<kCountB>(
       d, s,
-      [&](int i, hn::Vec<D> separation) {
-        consider(s, 0, i, separation, found.of_a, found.reference);
-      },
+      [&](int i, hn::Vec<D> separation)
+          HWY_ATTR { consider(s, 0, i, separation, of_a, reference); },
       of_face_b);
+  found.of_a = of_a;
+  found.reference = reference;
 
   found.of_b = of_face_b[0];
   for (int j = 1; j < kCountB; ++j) found.of_b = hn::Max(of_face_b[j], found.of_b);
@@ -138,11 +139,11 @@ HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, Lan
 }
 
 /// The edge of each lane's incident polygon whose normal is most opposed, the first of equals;
-/// `least` becomes both normals' product.
+/// `of_both` becomes the product of both normals.
 template <class D>
 HWY_INLINE LaneEdge<D> incident_edge(D d, const Strip<D>& s, hn::Mask<D> incident_is_a,
-                                     const Lanes2<D>& normal, hn::Vec<D>& least) {
-  least = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::infinity());
+                                     const Lanes2<D>& normal, hn::Vec<D>& of_both) {
+  auto least = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::infinity());
   LaneEdge<D> incident = first_edge(s, 0);  // until the first product, which is less than infinity
   const auto consider_edges = [&](int first, int last, const auto& at, hn::Mask<D> among) {
     Lanes2<D> vertex = at(first, 0);
@@ -167,6 +168,7 @@ HWY_INLINE LaneEdge<D> incident_edge(D d, const Strip<D>& s, hn::Mask<D> inciden
   consider_edges(
       both, s.count_max[longer], [&](int k, int element) { return of(longer, k, element); },
       longer == 0 ? incident_is_a : hn::Not(incident_is_a));
+  of_both = least;
   return incident;
 }
 

@@ -150,14 +150,14 @@ HWY_INLINE void fetch(const Shapes<T>& shapes, const PairBatch<T>& batch, BatchR
     }
   }
   Row<T>& total_radius = rows.of_block[kTotalRadius];
-  for (Row<T>* const row : {&total_radius, &rows.radii[0], &rows.radii[1]}) {
-    std::fill_n(row->column, kBlockPairs, T{0});
-  }
-  for (int column = 0; shapes.has_radius() && column < kBlockPairs; ++column) {
-    for (const int p : {0, 1}) {
-      const T radius = shapes.radius(batch.pair[column].body[p]->shape);
-      rows.radii[p].column[column] = radius;
-      total_radius.column[column] += radius;
+  std::fill_n(total_radius.column, kBlockPairs, T{0});
+  if (shapes.has_radius() || batch.kind != PairKind::sharp) {
+    for (int column = 0; column < kBlockPairs; ++column) {
+      for (const int p : {0, 1}) {
+        const T radius = shapes.radius(batch.pair[column].body[p]->shape);
+        rows.radii[p].column[column] = radius;
+        total_radius.column[column] += radius;
+      }
     }
   }
   const bool shared[2] = {shares_shape(batch, 0), shares_shape(batch, 1)};

@@ -28,8 +28,9 @@ std::uint32_t Shapes<Scalar>::add(const ConvexPolygon<Scalar>& polygon) {
     }
   }
   polygons_.push_back(polygon);
-  kinds_.push_back(
-      static_cast<std::uint8_t>(polygon.count - 1 + (polygon.is_round() ? kMaxVertices : 0)));
+  const unsigned round = polygon.is_round() ? kPairGroups / 2 : 0;
+  const auto corners = static_cast<unsigned>(polygon.count - 1);
+  kinds_.push_back(static_cast<std::uint8_t>(round + corners * (kMaxVertices + 1)));
   counts_.push_back(static_cast<std::uint8_t>(polygon.count));
   radii_.push_back(polygon.radius);
   has_radius_ = has_radius_ || polygon.radius > 0;

@@ -58,10 +58,9 @@ class Shapes {
   const ConvexPolygon<Scalar>& polygon(std::uint32_t shape) const { return polygons_[shape]; }
   /// The group of a pair of these shapes: those of a group go through the kernels together.
   unsigned group(std::uint32_t a, std::uint32_t b) const {
-    constexpr unsigned round = kPairGroups / 2;
-    const unsigned corners =
-        (kinds_[a] & (kMaxVertices - 1U)) * kMaxVertices + (kinds_[b] & (kMaxVertices - 1U));
-    return corners + ((kinds_[a] | kinds_[b]) >= kMaxVertices ? round : 0);
+    constexpr unsigned of_a = kPairGroups - kMaxVertices;
+    constexpr unsigned of_b = kPairGroups / 2 + kMaxVertices - 1;
+    return (kinds_[a] & of_a) | (kinds_[b] & of_b);
   }
   /// How many vertices a shape has.
   unsigned count(std::uint32_t shape) const { return counts_[shape]; }
@@ -72,7 +71,7 @@ class Shapes {
  private:
   std::vector<ConvexPolygon<Scalar>> polygons_;
   std::vector<ShapeCorners<Scalar>> corners_;
-  std::vector<std::uint8_t> kinds_;  // the count less one, and kMaxVertices where it is round
+  std::vector<std::uint8_t> kinds_;  // the group of a pair of two of them
   std::vector<std::uint8_t> counts_;
   std::vector<Scalar> radii_;
   bool has_radius_ = false;
