@@ -220,7 +220,7 @@ void add_run(CampaignResult& sum, const CampaignResult& run) {
   add_ledger(sum, run);
   add_buckets(sum, run);
   sum.parts.insert(sum.parts.end(), run.parts.begin(), run.parts.end());
-  std::ranges::sort(sum.parts);
+  join(sum.parts);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "campaign/plan.hpp"
 
 #include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
 
 #include "campaign/in_child.hpp"
 #include "sequence/sequence_judge.hpp"
@@ -77,6 +80,37 @@ void narrow_to(const std::vector<Collider>& colliders, GenerationContext& contex
   if (!context.radius && is_any([](const Declaration& of) { return !of.takes_radius; })) {
     context.mitred_radius = 0.0F;
   }
+}
+
+Share share_of(const std::string& text) {
+  Share share;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, share.number);
+  if (number.ec == std::errc() && number.ptr != end && *number.ptr == '/') {
+    const auto of = std::from_chars(number.ptr + 1, end, share.of);
+    if (of.ec == std::errc() && of.ptr == end && share.number < share.of) return share;
+  }
+  throw UserError(fmt::format(
+      "--share: '{}' is no share; K/N is expected, as 0/40: share K of N, K from 0 to N - 1",
+      printable(text)));
+}
+
+void narrow_to_share(const Share& share, Plan& plan) {
+  const std::uint64_t cases = plan.cases.value_or(0);
+  const std::uint64_t in_turn = plan.regimes.size();
+  const std::uint64_t turns = cases / in_turn + (cases % in_turn == 0 ? 0 : 1);
+  if (share.of > turns) {
+    throw UserError(
+        fmt::format("--share: {} are too many shares of {}, dealt to {} in turn; use at most {}",
+                    share.of, counted(cases, "case"), counted(in_turn, "regime"), turns));
+  }
+  const auto begin_of = [&](std::uint64_t number) {
+    return number * (turns / share.of) + std::min(number, turns % share.of);
+  };
+  const std::uint64_t begin = begin_of(share.number);
+  const std::uint64_t end = begin_of(share.number + 1);
+  plan.first += begin;
+  plan.cases = std::min((end - begin) * in_turn, cases - begin * in_turn);
 }
 
 void BucketTally::add(const BucketTally& tally) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/text.hpp"
@@ -173,6 +174,20 @@ struct Plan {
     return generate(seed, *regimes[regime_of(number)], index_of(number), context);
   }
 };
+
+/// The part of a plan's cases that one of several machines runs.
+struct Share {
+  std::uint64_t number = 0;  ///< from 0 to of - 1
+  std::uint64_t of = 1;
+};
+
+/// What "3/40" says. Throws UserError that names --share.
+Share share_of(const std::string& text);
+
+/// Leaves the plan that share of its cases: whole turns of its regimes, one behind the other, which
+/// together are all of them, each once; what each case is, and whether it is judged, stays. The
+/// plan has a number of cases. Throws UserError where there are fewer turns than shares.
+void narrow_to_share(const Share& share, Plan& plan);
 
 /// The colliders that the plan asks: without an oracle that only stands for the judge.
 std::vector<Declaration> asked_by(const Plan& plan);

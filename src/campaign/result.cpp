@@ -1,6 +1,7 @@
 #include "campaign/result.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -42,6 +43,38 @@ bool overlap(const CasesRun& part, const CasesRun& with) {
     return part.first < with.first ? with.first - part.first < cases
                                    : part.first - with.first < same->second;
   });
+}
+
+namespace {
+
+bool goes_on(const CasesRun& part, const CasesRun& next) {
+  return part.seed == next.seed &&
+         std::ranges::equal(part.cases, next.cases, [&](const auto& of_part, const auto& of_next) {
+           return of_part.first == of_next.first && part.first + of_part.second == next.first;
+         });
+}
+
+/// So coarse that sums of them are exact, whatever is added first.
+double in_parts_of_a_second(double seconds) {
+  constexpr int binary_digits = 20;
+  return std::ldexp(std::round(std::ldexp(seconds, binary_digits)), -binary_digits);
+}
+
+}  // namespace
+
+void join(std::vector<CasesRun>& parts) {
+  std::ranges::sort(parts);
+  std::vector<CasesRun> joined;
+  for (const CasesRun& part : parts) {
+    if (joined.empty() || !goes_on(joined.back(), part)) {
+      joined.push_back(part);
+      joined.back().seconds = in_parts_of_a_second(part.seconds);
+      continue;
+    }
+    for (const auto& [regime, cases] : part.cases) joined.back().cases[regime] += cases;
+    joined.back().seconds += in_parts_of_a_second(part.seconds);
+  }
+  parts = std::move(joined);
 }
 
 bool is_all_unsupported(const CampaignResult& result) {

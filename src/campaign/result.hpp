@@ -87,12 +87,15 @@ bool is_of(const Settings& settings, const std::string& subject, const std::stri
 /// Whether both count some case.
 bool overlap(const CasesRun& part, const CasesRun& with);
 
+/// Those of which one goes on where another ends, in every regime, as one; sorted.
+void join(std::vector<CasesRun>& parts);
+
 /// The result of a campaign, or of several as one: all that `fuzz --json` writes.
 struct CampaignResult {
   nlohmann::ordered_json machine = nlohmann::ordered_json::object();  ///< as `provenance` has it
   std::string compiler;
   Settings settings;
-  std::vector<CasesRun> parts;  ///< one of a campaign, each of several that were merged; sorted
+  std::vector<CasesRun> parts;  ///< one of a campaign, of several all that are apart; sorted
   std::uint64_t jobs = 0;
   std::array<std::uint64_t, kVerdictNames.size()> verdicts{};
   std::uint64_t by_tolerance = 0;     ///< right only by the tolerance that a collider declares

@@ -90,9 +90,8 @@ std::span<const Command> commands() {
        "manifuzz report corpus run.json --output report.html",
        define_report},
       {"merge", "Merge several runs into one; keep the smallest and the worst case of each bucket.",
-       "manifuzz fuzz --seed 1 --cases 200000 --corpus run0 --json run0.json\n"
-       "manifuzz fuzz --seed 1 --first 10000 --cases 200000 --corpus run1 --json "
-       "run1.json\n"
+       "manifuzz fuzz --seed 1 --cases 200000 --share 0/2 --found run0 --json run0.json\n"
+       "manifuzz fuzz --seed 1 --cases 200000 --share 1/2 --found run1 --json run1.json\n"
        "manifuzz merge run0 run1 run0.json run1.json --output all --json all.json",
        define_merge},
       {"list", "List colliders, regimes, motions, known causes, sweeps or scenes, one a line.",

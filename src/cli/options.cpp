@@ -169,6 +169,13 @@ void add_corpus(CLI::App& app, CorpusFolders& folders, const std::string& descri
   app.add_option("--corpus", folders.named, description)->type_name("DIR");
 }
 
+void add_found(CLI::App& app, CorpusFolders& folders) {
+  app.add_option("--found", folders.findings,
+                 "folder in which new cases are saved, whatever the corpus; known ones are read "
+                 "from there too")
+      ->type_name("DIR");
+}
+
 CLI::Option* add_day(CLI::App& app, const std::string& name, std::string& day,
                      const std::string& description) {
   return app.add_option(name, day, description)

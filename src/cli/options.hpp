@@ -54,6 +54,8 @@ void add_radius(CLI::App& app, std::optional<double>& radius);
 /// Such a radius as a float. Throws UserError where it is too large for one.
 float radius_of(double radius);
 void add_corpus(CLI::App& app, CorpusFolders& folders, const std::string& description);
+/// Adds --found.
+void add_found(CLI::App& app, CorpusFolders& folders);
 /// An option that takes a day, as 2027-01-31.
 CLI::Option* add_day(CLI::App& app, const std::string& name, std::string& day,
                      const std::string& description);

@@ -23,6 +23,7 @@ std::string CorpusFolders::corpus() const {
 }
 
 std::string CorpusFolders::found() const {
+  if (findings) return *findings;
   return named ? corpus() : findings_folder().string();
 }
 
@@ -31,11 +32,12 @@ std::string CorpusFolders::save_to() const {
 }
 
 OutputPath CorpusFolders::saved() const {
-  return {named ? "--corpus" : "findings", save_to(), OutputPath::Kind::corpus};
+  const char* const option = findings ? "--found" : named ? "--corpus" : "findings";
+  return {option, save_to(), OutputPath::Kind::corpus};
 }
 
 std::vector<fs::path> CorpusFolders::all() const {
-  if (named) return {corpus()};
+  if (found() == corpus()) return {corpus()};
   return {corpus(), found()};
 }
 
@@ -44,7 +46,9 @@ std::string CorpusFolders::again() const {
 }
 
 void CorpusFolders::make_relative() {
-  if (named && !named->empty()) named = kept_path(*named).string();
+  for (auto* const folder : {&named, &findings}) {
+    if (*folder && !(*folder)->empty()) *folder = kept_path(**folder).string();
+  }
 }
 
 Corpus read_known(const CorpusFolders& folders) {

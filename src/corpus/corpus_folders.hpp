@@ -15,8 +15,9 @@ std::filesystem::path findings_folder();
 
 /// Where a command reads known cases, and where it saves new ones.
 struct CorpusFolders {
-  std::optional<std::string> named{};  ///< one folder for both
-  bool is_unsaved = false;             ///< new cases are saved nowhere
+  std::optional<std::string> named{};     ///< one folder for both
+  std::optional<std::string> findings{};  ///< another for new ones
+  bool is_unsaved = false;                ///< new cases are saved nowhere
 
   /// The regime `corpus` mutates its cases, and subjects.json lies beside it.
   std::string corpus() const;

@@ -33,6 +33,7 @@ struct FuzzArguments {
   SubjectAndOracle colliders;
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> cases;
+  std::string share;
   std::optional<double> seconds;
   std::optional<std::uint64_t> first;
   std::optional<std::uint64_t> jobs;
@@ -79,6 +80,7 @@ Plan plan_of(const FuzzArguments& options) {
   plan.first = options.first.value_or(0);
   plan.cases = options.cases;
   expect_indices(plan.first, plan.cases.value_or(1), plan.regimes.size());
+  if (!options.share.empty()) narrow_to_share(share_of(options.share), plan);
   plan.until_new = options.until_new;
   plan.has_ties = options.has_ties;
   plan.seconds = options.seconds;
@@ -219,6 +221,8 @@ int fuzz(FuzzArguments& options) {
   Campaign campaign = run_with_progress(plan, known, options);
   if (baseline) hold_against(*baseline, campaign.result);
   if (!write_all(campaign, baseline, options).are_written()) return 2;
+  // Whoever deals shares takes 1 for done.
+  if (!options.share.empty() && campaign.result.interrupted) return 0;
   return has_failed(campaign.result) ? 1 : 0;
 }
 
@@ -234,6 +238,13 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   app.add_flag("--until-new", options.until_new,
                "stop at the first wrong case that the corpus does not show; without --cases and "
                "--seconds the run has no other end");
+  add_text(
+      app, "--share", options.share, "K/N",
+      "run the share K of N, K from 0 to N - 1, of the cases that --seed and --cases give; all "
+      "shares, merged, are the whole run")
+      ->needs("--seed")
+      ->needs("--cases")
+      ->excludes("--until-new");
   app.add_flag("--ties", options.has_ties, "shrink and save new ties, too");
   add_length(app, "--shrink-seconds", options.shrink_seconds,
              "seconds to spend on shrinking all findings; default: 10");
@@ -256,6 +267,7 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   add_corpus(app, options.folders,
              "folder of known cases, in which new ones are saved; default: read corpus, and save "
              "new ones in build/found of the source tree, or in found outside of it");
+  add_found(app, options.folders);
   add_no_save(app, options.folders);
   add_text(
       app, "--baseline", options.baseline, "FILE",
