@@ -1,0 +1,99 @@
+# What the scripts of this folder have in common; they source it. shellcheck shell=bash
+# A campaign is told by three variables:
+#   MANIFUZZ_SHARES    how many shares its cases are dealt to
+#   MANIFUZZ_COMMAND   what runs all of them, as `manifuzz fuzz --seed 1 --cases 1000000`; words with
+#                      blanks stand in quotes, and nothing in it is expanded
+#   MANIFUZZ_RESULTS   the folder of the results, which every machine sees under this name
+
+# shellcheck disable=SC2034  # the scripts use it
+cluster=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
+me=scripts/cluster/${0##*/}
+
+complain() {
+  echo "$me: $*" >&2
+  exit 2
+}
+
+# print_help: the first comment of the script.
+print_help() {
+  sed -n '2,/^set /{s/^# \{0,1\}//;/^set /d;p}' "$0"
+}
+
+# Options that each task is given; several tasks must not write to one file.
+readonly of_tasks=(--share --json --found --report --junit)
+
+# Checks the three variables; sets shares, results (absolute), program and options (what stands
+# before and behind the word fuzz).
+read_campaign() {
+  local name
+  [[ ${MANIFUZZ_SHARES:-} =~ ^[1-9][0-9]{0,8}$ ]] ||
+    complain "MANIFUZZ_SHARES is '${MANIFUZZ_SHARES:-}'; a whole number from 1 on is expected"
+  [ -n "${MANIFUZZ_RESULTS:-}" ] ||
+    complain "MANIFUZZ_RESULTS is not set; the folder for the results is expected"
+  shares=$MANIFUZZ_SHARES
+  results=$(realpath -m -- "$MANIFUZZ_RESULTS")
+  [ ! -e "$results" ] || [ -d "$results" ] ||
+    complain "MANIFUZZ_RESULTS: $results is a file; a folder is expected"
+  read_command
+  for name in "${of_tasks[@]}"; do
+    ! has_option "$name" ||
+      complain "MANIFUZZ_COMMAND has '$name', which each task is given; leave it out"
+  done
+}
+
+has_option() {
+  local word
+  for word in "${options[@]}"; do
+    [[ $word != "$1" && $word != "$1="* ]] || return 0
+  done
+  return 1
+}
+
+read_command() {
+  local words i
+  [ -n "${MANIFUZZ_COMMAND:-}" ] ||
+    complain "MANIFUZZ_COMMAND is not set; such as 'manifuzz fuzz --seed 1 --cases 1000000' is expected"
+  [[ $MANIFUZZ_COMMAND != *$'\n'* ]] || complain "MANIFUZZ_COMMAND has several lines; one is expected"
+  words=()
+  mapfile -d '' -t words < <(xargs -n 1 printf '%s\0' <<<"$MANIFUZZ_COMMAND" 2>/dev/null)
+  wait "$!" || complain "MANIFUZZ_COMMAND has a quote without its end: $MANIFUZZ_COMMAND"
+  for ((i = 0; i < ${#words[@]}; ++i)); do
+    [ "${words[i]}" != fuzz ] || break
+  done
+  ((i > 0 && i < ${#words[@]})) ||
+    complain "MANIFUZZ_COMMAND is '$MANIFUZZ_COMMAND'; 'manifuzz fuzz', or such, and options are expected"
+  program=("${words[@]:0:i}")
+  options=("${words[@]:i+1}")
+}
+
+# The program must be there where it is to run.
+expect_program() {
+  command -v -- "${program[0]}" >/dev/null ||
+    complain "MANIFUZZ_COMMAND: there is no program '${program[0]}' in $PWD or PATH"
+}
+
+# Makes the folder of the results, and writes down in it whose they are: another campaign's shares
+# are never added to this one's.
+own_results() {
+  local campaign=$results/campaign mine
+  mkdir -p -- "$results" || complain "MANIFUZZ_RESULTS: $results cannot be made"
+  if ! [ -s "$campaign" ]; then
+    mine=$(mktemp "$results/.campaign.XXXXXX") || complain "$results cannot be written to"
+    { campaign_in_words >"$mine" && chmod a+r "$mine" && mv -T -- "$mine" "$campaign"; } ||
+      { rm -f -- "$mine"; complain "$campaign cannot be written"; }
+  fi
+  [ "$(<"$campaign")" = "$(campaign_in_words)" ] ||
+    complain "$results holds shares of another campaign, named in $campaign; another MANIFUZZ_RESULTS is expected"
+}
+
+campaign_in_words() {
+  printf '%s shares of %s\n' "$shares" "$MANIFUZZ_COMMAND"
+}
+
+# The shares that have no result, a line each.
+missing_shares() {
+  { [ ! -d "$results" ] || (cd -- "$results" && shopt -s nullglob && printf '%s\n' share-*); } |
+    awk -v shares="$shares" '
+      { there[$0] }
+      END { for (i = 0; i < shares; ++i) if (!("share-" i in there)) print i }'
+}
