@@ -75,15 +75,26 @@ expect_program() {
 # Makes the folder of the results, and writes down in it whose they are: another campaign's shares
 # are never added to this one's.
 own_results() {
-  local campaign=$results/campaign mine
-  mkdir -p -- "$results" || complain "MANIFUZZ_RESULTS: $results cannot be made"
+  local campaign=$results/campaign mine why
+  why=$(mkdir -p -- "$results" 2>&1) || complain "MANIFUZZ_RESULTS: $results cannot be made: ${why##*: }"
   if ! [ -s "$campaign" ]; then
-    mine=$(mktemp "$results/.campaign.XXXXXX") || complain "$results cannot be written to"
-    { campaign_in_words >"$mine" && chmod a+r "$mine" && mv -T -- "$mine" "$campaign"; } ||
-      { rm -f -- "$mine"; complain "$campaign cannot be written"; }
+    mine=$(new_in_results campaign.)
+    why=$({ campaign_in_words >"$mine" && chmod a+r "$mine" && mv -T -- "$mine" "$campaign"; } 2>&1) || {
+      rm -f -- "$mine"
+      complain "$campaign cannot be written: ${why##*: }"
+    }
   fi
   [ "$(<"$campaign")" = "$(campaign_in_words)" ] ||
     complain "$results holds shares of another campaign, named in $campaign; another MANIFUZZ_RESULTS is expected"
+}
+
+# new_in_results NAME [--directory]: a new hidden file, whose name begins so.
+new_in_results() {
+  local made
+  if ! made=$(mktemp "${@:2}" "$results/.$1XXXXXX" 2>&1); then
+    complain "MANIFUZZ_RESULTS: $results cannot be written to: ${made##*: }"
+  fi
+  echo "$made"
 }
 
 campaign_in_words() {

@@ -67,7 +67,7 @@ def client_of(options):
         return distributed.Client(options.scheduler, timeout=options.connect_seconds)
     workers = options.workers or len(os.sched_getaffinity(0))
     cluster = distributed.LocalCluster(
-        n_workers=workers, threads_per_worker=1, dashboard_address=None, silence_logs="ERROR")
+        n_workers=workers, threads_per_worker=1, dashboard_address=":0", silence_logs="ERROR")
     return distributed.Client(cluster)
 
 

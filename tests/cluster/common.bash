@@ -20,8 +20,9 @@ expect_programs() {
   done
 }
 
+exec 3>&2
 fail() {
-  echo "FAILED: $*" >&2
+  echo "FAILED: $*" >&3  # wherever what is asked writes to
   exit 1
 }
 
