@@ -5,8 +5,9 @@
 #                      blanks stand in quotes, and nothing in it is expanded
 #   MANIFUZZ_RESULTS   the folder of the results, which every machine sees under this name
 
-# shellcheck disable=SC2034  # the scripts use it
-cluster=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
+# By the names that whoever calls uses: other machines may not have what links lead to here.
+cluster=$(dirname "$(realpath -s -- "$0")")
+[ -e "$cluster/common.bash" ] || cluster=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
 me=scripts/cluster/${0##*/}
 
 complain() {
@@ -31,7 +32,7 @@ read_campaign() {
   [ -n "${MANIFUZZ_RESULTS:-}" ] ||
     complain "MANIFUZZ_RESULTS is not set; the folder for the results is expected"
   shares=$MANIFUZZ_SHARES
-  results=$(realpath -m -- "$MANIFUZZ_RESULTS")
+  results=$(realpath -m -s -- "$MANIFUZZ_RESULTS")
   [ ! -e "$results" ] || [ -d "$results" ] ||
     complain "MANIFUZZ_RESULTS: $results is a file; a folder is expected"
   read_command
