@@ -87,7 +87,7 @@ bool is_of(const Settings& settings, const std::string& subject, const std::stri
 /// Whether both count some case.
 bool overlap(const CasesRun& part, const CasesRun& with);
 
-/// Those of which one goes on where another ends, in every regime, as one; sorted.
+/// Makes parts of which one goes on where another ends, in every regime, one; sorts them.
 void join(std::vector<CasesRun>& parts);
 
 /// The result of a campaign, or of several as one: all that `fuzz --json` writes.
