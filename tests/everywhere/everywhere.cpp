@@ -131,7 +131,8 @@ void hash_scene() {
     }
     const auto stepped = scene.step(moves);
     const auto& result = std::get<scene::StepResult>(stepped);
-    hash.add(result.counts.pairs.collided << 32 | result.counts.pairs.separated);
+    const scene::PairCounts& pairs = result.counts.pairs;
+    hash.add(std::uint64_t{pairs.collided} << 32 | std::uint64_t{pairs.separated});
     for (const scene::Contact& contact : result.contacts) {
       hash.add(std::uint64_t{contact.a.index} << 32 | contact.b.index);
       add(hash, manifold_cast<double>(contact.manifold));
