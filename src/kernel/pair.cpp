@@ -170,19 +170,17 @@ void place_shape(const ShapeRows& shape, const Pose<float>& pose, ShapeRows& pla
   place(shape, lane_pose(pose.position.data()), placed);
 }
 
-/// The faces of greatest separation of a pair with a round shape, B becoming `placed` in A's frame;
-/// whether one separates by more than the total radius. A circle has none.
-bool separate_round(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
-                    ShapeRows& placed, RoundFaces& found) {
+/// The faces of greatest separation of cores, A's and B's, B becoming `placed` in A's frame;
+/// whether one separates by more than the total radius.
+bool separate_cores(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
+                    ShapeRows& placed, int (&face)[2]) {
   const float reach = a.radius + b.radius;
   place_shape(b, b_in_a, placed);
   const ShapeRows* const shapes[2] = {&a, &placed};
   for (const int p : {0, 1}) {
-    if (shapes[p]->count == 1) continue;
     const Extreme of_face = greatest(face_separations(*shapes[p], *shapes[1 - p]));
     if (of_face.value > reach) return true;
-    found.face[p] = of_face.face;
-    found.separation[p] = of_face.value;
+    face[p] = of_face.face;
   }
   return false;
 }
@@ -205,7 +203,7 @@ namespace manifuzz::kernel {
 
 HWY_EXPORT(collide_pair);
 HWY_EXPORT(place_shape);
-HWY_EXPORT(separate_round);
+HWY_EXPORT(separate_cores);
 HWY_EXPORT(separation);
 HWY_EXPORT(touches);
 
@@ -216,8 +214,13 @@ bool are_round(const ShapeRows& a, const ShapeRows& b) {
   return (static_cast<unsigned>(a.rounding) | static_cast<unsigned>(b.rounding)) != 0;
 }
 
-bool are_circles(const ShapeRows& a, const ShapeRows& b) {
-  return a.count == 1 && b.count == 1;
+bool has_circle(const ShapeRows& a, const ShapeRows& b) {
+  return a.count == 1 || b.count == 1;
+}
+
+/// The manifold of a circle and another shape.
+Manifold<float> collide_circle(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a) {
+  return a.count == b.count ? collide_circles(a, b, b_in_a) : collide_circle_and_core(a, b, b_in_a);
 }
 
 Manifold<float> collide_sharp(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
@@ -227,14 +230,14 @@ Manifold<float> collide_sharp(const ShapeRows& a, const ShapeRows& b, const Pose
   return manifold;
 }
 
-/// The manifold of a pair with a round shape; `placed` becomes B in A's frame, unless both are
-/// circles.
+/// The manifold of a pair with a round shape; `placed` becomes B in A's frame, unless one of them
+/// is a circle.
 Manifold<float> collide_round(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                               float tie_bias, ShapeRows& placed) {
-  if (are_circles(a, b)) return collide_circles(a, b, b_in_a);
-  RoundFaces found;
-  if (HWY_DYNAMIC_DISPATCH(separate_round)(a, b, b_in_a, placed, found)) return {};
-  return contact_of_round_pair(a, placed, found, tie_bias);
+  if (has_circle(a, b)) return collide_circle(a, b, b_in_a);
+  int face[2] = {0, 0};
+  if (HWY_DYNAMIC_DISPATCH(separate_cores)(a, b, b_in_a, placed, face)) return {};
+  return contact_of_cores(a, placed, face, tie_bias);
 }
 
 /// Apart from `collide`, so that the stack frame for sharp polygons does not hold this shape.
@@ -254,7 +257,7 @@ Manifold<float> collide_round(const ShapeRows& a, const ShapeRows& b, const Pose
     if (m.count > 1) depth = std::max(depth, m.points[1].depth);
     return {true, reach - depth, {}};
   }
-  if (are_circles(a, b)) HWY_DYNAMIC_DISPATCH(place_shape)(b, b_in_a, placed);
+  if (has_circle(a, b)) HWY_DYNAMIC_DISPATCH(place_shape)(b, b_in_a, placed);
   return {false,
           std::max(between_outlines(a, placed),
                    std::nextafter(reach, std::numeric_limits<float>::infinity())),
@@ -266,8 +269,7 @@ Manifold<float> collide_round(const ShapeRows& a, const ShapeRows& b, const Pose
 Manifold<float> collide(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a,
                         float tie_bias, FaceHint* hint) {
   if (HWY_UNLIKELY(are_round(a, b))) {
-    return are_circles(a, b) ? collide_circles(a, b, b_in_a)
-                             : collide_round(a, b, b_in_a, tie_bias);
+    return has_circle(a, b) ? collide_circle(a, b, b_in_a) : collide_round(a, b, b_in_a, tie_bias);
   }
   return collide_sharp(a, b, b_in_a, tie_bias, hint);
 }

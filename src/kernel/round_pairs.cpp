@@ -19,6 +19,12 @@ ConvexPolygon<float> centre_of(const ShapeRows& rows) {
   return circle;
 }
 
+ConvexPolygon<float> placed_centre(const ShapeRows& b, const Pose<float>& b_in_a) {
+  ConvexPolygon<float> placed = centre_of(b);
+  placed.vertices[0] = transform(b_in_a, placed.vertices[0]);
+  return placed;
+}
+
 /// A shape as the clean code takes it. Aligned: what is written as vectors is read back at once.
 struct alignas(64) LaidOut {
   ConvexPolygon<float> polygon;
@@ -45,29 +51,36 @@ Scalar between_outlines(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scal
 /// Flattened: the centres stay in registers.
 [[gnu::flatten]] Manifold<float> collide_circles(const ShapeRows& a, const ShapeRows& b,
                                                  const Pose<float>& b_in_a) {
-  ConvexPolygon<float> placed = centre_of(b);
-  placed.vertices[0] = transform(b_in_a, placed.vertices[0]);
-  return clipping::contact_of_circles(centre_of(a), placed);
+  return clipping::contact_of_circles(centre_of(a), placed_centre(b, b_in_a));
 }
 
-[[gnu::flatten]] Manifold<float> contact_of_round_pair(const ShapeRows& a, const ShapeRows& b_in_a,
-                                                       const RoundFaces& found, float tie_bias) {
+/// By the clean code's own search: corners that lanes have placed, at the index of a face that
+/// lanes have found, take longer to read than that saves.
+[[gnu::flatten]] Manifold<float> collide_circle_and_core(const ShapeRows& a, const ShapeRows& b,
+                                                         const Pose<float>& b_in_a) {
+  if (b.count == 1) {
+    return clipping::contact_of_circle(LaidOut(a).polygon, placed_centre(b, b_in_a), Side::a, {});
+  }
+  ConvexPolygon<float> placed;
+  placed.count = b.count;
+  placed.radius = b.radius;
+  placed.rounding = b.rounding;
+  for (int i = 0; i < b.count; ++i) {
+    placed.vertices[i] = transform(b_in_a, Vector2<float>(b.x[i], b.y[i]));
+    placed.normals[i] = rotate(b_in_a.rotation, Vector2<float>(b.normal_x[i], b.normal_y[i]));
+  }
+  return clipping::contact_of_circle(centre_of(a), placed, Side::b, {});
+}
+
+[[gnu::flatten]] Manifold<float> contact_of_cores(const ShapeRows& a, const ShapeRows& b_in_a,
+                                                  const int (&face)[2], float tie_bias) {
   const LaidOut laid_out_a(a);
   const LaidOut laid_out_b(b_in_a);
   const ConvexPolygon<float>& polygon_a = laid_out_a.polygon;
   const ConvexPolygon<float>& polygon_b = laid_out_b.polygon;
-  const auto of = [&](int p) {
-    return clipping::FaceSeparation<float>{found.face[p], found.separation[p], 0};
-  };
-  if (b_in_a.count == 1) {
-    return clipping::contact_at_face<float>(polygon_a, polygon_b, Side::a, of(0), {});
-  }
-  if (a.count == 1) {
-    return clipping::contact_at_face<float>(polygon_a, polygon_b, Side::b, of(1), {});
-  }
   return clipping::contact_of_cores<float>(
-      polygon_a, polygon_b, clipping::face_separation(polygon_a, found.face[0], polygon_b),
-      clipping::face_separation(polygon_b, found.face[1], polygon_a), tie_bias, {});
+      polygon_a, polygon_b, clipping::face_separation(polygon_a, face[0], polygon_b),
+      clipping::face_separation(polygon_b, face[1], polygon_a), tie_bias, {});
 }
 
 float between_outlines(const ShapeRows& a, const ShapeRows& b_in_a) {

@@ -9,17 +9,15 @@ namespace manifuzz::kernel {
 /// `clipping::collide` of two circles, B standing at `b_in_a`.
 Manifold<float> collide_circles(const ShapeRows& a, const ShapeRows& b, const Pose<float>& b_in_a);
 
-/// The faces of greatest separation of shapes of which one is round at least, and one has faces:
-/// A's and B's, of those that have some.
-struct RoundFaces {
-  int face[2] = {0, 0};
-  float separation[2] = {0, 0};  ///< lengths, radii left out
-};
+/// `clipping::collide` of a circle and a shape with faces, B standing at `b_in_a`.
+Manifold<float> collide_circle_and_core(const ShapeRows& a, const ShapeRows& b,
+                                        const Pose<float>& b_in_a);
 
-/// `clipping::collide_in_frame` of such shapes, which no face separates by more than the total
-/// radius.
-Manifold<float> contact_of_round_pair(const ShapeRows& a, const ShapeRows& b_in_a,
-                                      const RoundFaces& found, float tie_bias);
+/// `clipping::collide_in_frame` of shapes with faces, one of them round at least, which no face
+/// separates by more than the total radius; of A's and of B's, `face` is that of greatest
+/// separation.
+Manifold<float> contact_of_cores(const ShapeRows& a, const ShapeRows& b_in_a, const int (&face)[2],
+                                 float tie_bias);
 
 /// How far apart the outlines of their cores are, a length.
 float between_outlines(const ShapeRows& a, const ShapeRows& b_in_a);
