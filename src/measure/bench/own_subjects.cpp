@@ -177,7 +177,8 @@ struct RowsPair {
   Pose<float> pose_b;
 };
 
-/// A query of the kernel for one pair, with the hint that the same query left before, or none.
+/// A query of the kernel for one pair, with the hint that the same query left before, or none; its
+/// answer is written where it is kept, as by `one_by_one`.
 template <class Ask>
 Pass query_pass(std::span<const PairCase> pairs, bool hinted, const Ask& ask) {
   using kernel::ShapeRows;
@@ -192,7 +193,7 @@ Pass query_pass(std::span<const PairCase> pairs, bool hinted, const Ask& ask) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const RowsPair& pair = rows[i];
       const Pose<float> b_in_a = relative_pose(pair.pose_a, pair.pose_b);
-      (*out)[i] = ask(pair.a, pair.b, b_in_a, hinted ? &(*hints)[i] : nullptr);
+      ::new (&(*out)[i]) Out(ask(pair.a, pair.b, b_in_a, hinted ? &(*hints)[i] : nullptr));
     }
   };
 }
