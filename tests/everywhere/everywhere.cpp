@@ -3,6 +3,7 @@
 // those of headers.
 
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
 #include "collider/answer_hash.hpp"
@@ -157,6 +158,16 @@ void hash_all(std::uint64_t count) {
 
 }  // namespace
 }  // namespace manifuzz
+
+#ifdef __wasm__
+// WebAssembly's C++ library has no exceptions: what would be thrown ends the program.
+extern "C" void* __cxa_allocate_exception(std::size_t) {
+  std::abort();
+}
+extern "C" void __cxa_throw(void*, void*, void (*)(void*)) {
+  std::abort();
+}
+#endif
 
 int main(int count, char** words) {
   const std::vector<std::string> targets = manifuzz::kernel::targets();
