@@ -109,16 +109,17 @@ FaceSeparation<Scalar> face_before(const ConvexPolygon<Scalar>& core,
   return {beside, separation};
 }
 
-/// The manifold of a circle and of a core with faces, which is polygon `side`, from the core's face
-/// of greatest separation from the centre, which is no farther than the radii reach: the centre is
-/// nearest to that, inside the core or out, or to an end of it.
+/// The manifold of a circle and of a core with faces, which is polygon `side`: the centre is
+/// nearest to the face of greatest separation, inside the core or out, or to an end of it.
 template <class Scalar>
-Manifold<Scalar> contact_at_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                 Side side, const FaceSeparation<Scalar>& found,
-                                 SecondPoint second_point) {
+Manifold<Scalar> contact_of_circle(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                   Side side, SecondPoint second_point) {
   const bool is_of_a = side == Side::a;
   const ConvexPolygon<Scalar>& core = is_of_a ? a : b;
   const Vector2<Scalar>& centre = is_of_a ? b.vertices[0] : a.vertices[0];
+  const FaceSeparation<Scalar> found = greatest_separation_from(core, centre);
+  if (found.separation > a.radius + b.radius) return {};
+
   const auto contact = [&](const Vector2<Scalar>& on_core, Feature place,
                            const Vector2<Scalar>& apart, const Vector2<Scalar>& outward) {
     if (!is_of_a) {
@@ -140,17 +141,6 @@ Manifold<Scalar> contact_at_face(const ConvexPolygon<Scalar>& a, const ConvexPol
   const Vector2<Scalar>& normal = core.normals[before.face];
   const Vector2<Scalar> apart = before.separation * normal;
   return contact(centre - apart, face(before.face), apart, normal);
-}
-
-/// The manifold of a circle and of a core with faces, which is polygon `side`.
-template <class Scalar>
-Manifold<Scalar> contact_of_circle(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                   Side side, SecondPoint second_point) {
-  const bool is_of_a = side == Side::a;
-  const FaceSeparation<Scalar> found =
-      greatest_separation_from(is_of_a ? a : b, is_of_a ? b.vertices[0] : a.vertices[0]);
-  if (found.separation > a.radius + b.radius) return {};
-  return contact_at_face(a, b, side, found, second_point);
 }
 
 }  // namespace manifuzz::clipping
