@@ -179,10 +179,7 @@ template <class D>
 HWY_NOINLINE void put_deepest_contacts(D d, const Strip<D>& s, hn::Mask<D> needs,
                                        ManifoldBlock<hn::TFromD<D>>& out) {
   using T = hn::TFromD<D>;
-  alignas(64) T flags[hn::MaxLanes(D())];
-  hn::Store(hn::IfThenElseZero(needs, hn::Set(d, T{1})), d, flags);
-  for (std::size_t lane = 0; lane < hn::MaxLanes(D()); ++lane) {
-    if (flags[lane] == 0) continue;
+  for_each_lane(d, needs, [&](std::size_t lane) {
     const int column = s.column + static_cast<int>(lane);
     const auto at = [&](int row) { return s.rows[row].column[column]; };
     put(deepest_contact<T>({{s.corners[0], s.corners[1]},
@@ -190,7 +187,7 @@ HWY_NOINLINE void put_deepest_contacts(D d, const Strip<D>& s, hn::Mask<D> needs
                             {static_cast<int>(at(kCountA)), static_cast<int>(at(kCountB))},
                             {at(kTotalRadius), 0}}),
         out, column);
-  }
+  });
 }
 
 /// The manifolds of a strip whose B stands in A's frame.

@@ -24,23 +24,19 @@ struct CoreFaces {
 template <int kCountB, class D>
 HWY_INLINE void find_faces(D d, const Strip<D>& s, CoreFaces<D>& found) {
   const DInt<D> di;
-  found.of[0] = hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity());
-  found.face[0] = hn::Zero(di);
-  const auto consider_a = [&](int i, hn::Vec<D> separation) {
-    const auto is_greater = hn::Gt(separation, found.of[0]);
-    found.of[0] = hn::IfThenElse(is_greater, separation, found.of[0]);
-    found.face[0] = hn::IfThenElse(hn::RebindMask(di, is_greater), hn::Set(di, i), found.face[0]);
+  const auto consider = [&](int p, int k, hn::Vec<D> separation) {
+    const auto is_greater = hn::Gt(separation, found.of[p]);
+    found.of[p] = hn::IfThenElse(is_greater, separation, found.of[p]);
+    found.face[p] = hn::IfThenElse(hn::RebindMask(di, is_greater), hn::Set(di, k), found.face[p]);
   };
+  found.of[0] = hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity());
+  found.face[0] = found.face[1] = hn::Zero(di);
   hn::Vec<D> of_face_b[kCountB];
-  separate_faces<kCountB>(d, s, consider_a, of_face_b);
+  separate_faces<kCountB>(
+      d, s, [&](int i, hn::Vec<D> separation) { consider(0, i, separation); }, of_face_b);
   found.of[1] = of_face_b[0];
-  found.face[1] = hn::Zero(di);
   HWY_UNROLL(kMaxVertices)
-  for (int j = 1; j < kCountB; ++j) {
-    const auto is_greater = hn::Gt(of_face_b[j], found.of[1]);
-    found.of[1] = hn::IfThenElse(is_greater, of_face_b[j], found.of[1]);
-    found.face[1] = hn::IfThenElse(hn::RebindMask(di, is_greater), hn::Set(di, j), found.face[1]);
-  }
+  for (int j = 1; j < kCountB; ++j) consider(1, j, of_face_b[j]);
 }
 
 template <class D>

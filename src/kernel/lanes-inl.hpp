@@ -79,6 +79,17 @@ struct Strip {
   }
 };
 
+/// `act(lane)` of each lane of a mask, one after the other.
+template <class D, class Act>
+HWY_INLINE void for_each_lane(D d, hn::Mask<D> mask, const Act& act) {
+  using T = hn::TFromD<D>;
+  alignas(64) T flags[hn::MaxLanes(D())];
+  hn::Store(hn::IfThenElseZero(mask, hn::Set(d, T{1})), d, flags);
+  for (std::size_t lane = 0; lane < hn::MaxLanes(D()); ++lane) {
+    if (flags[lane] != 0) act(lane);
+  }
+}
+
 /// A frame's place in another, or in the world.
 template <class D>
 struct LanePose {

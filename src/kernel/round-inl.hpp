@@ -188,10 +188,7 @@ template <class D>
 HWY_NOINLINE void collide_left(D d, const Strip<D>& s, hn::Mask<D> left, hn::TFromD<D> tie_bias,
                                ManifoldBlock<hn::TFromD<D>>& out) {
   using T = hn::TFromD<D>;
-  alignas(64) T flags[hn::MaxLanes(D())];
-  hn::Store(hn::IfThenElseZero(left, hn::Set(d, T{1})), d, flags);
-  for (std::size_t lane = 0; lane < hn::MaxLanes(D()); ++lane) {
-    if (flags[lane] == 0) continue;
+  for_each_lane(d, left, [&](std::size_t lane) {
     const int column = s.column + static_cast<int>(lane);
     const auto at = [&](const Row<T>& row) { return row.column[column]; };
     put(collide_round_column<T>(
@@ -201,7 +198,7 @@ HWY_NOINLINE void collide_left(D d, const Strip<D>& s, hn::Mask<D> left, hn::TFr
              {at(s.radii[0]), at(s.radii[1])}},
             tie_bias),
         out, column);
-  }
+  });
 }
 
 }  // namespace manifuzz::kernel::HWY_NAMESPACE

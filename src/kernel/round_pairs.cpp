@@ -25,22 +25,6 @@ ConvexPolygon<float> placed_centre(const ShapeRows& b, const Pose<float>& b_in_a
   return placed;
 }
 
-/// A shape as the clean code takes it. Aligned: what is written as vectors is read back at once.
-struct alignas(64) LaidOut {
-  ConvexPolygon<float> polygon;
-
-  /// Places past the last corner are copied as well: a loop of known length goes through vectors.
-  explicit LaidOut(const ShapeRows& rows) {
-    for (int i = 0; i < kMaxVertices; ++i) {
-      polygon.vertices[i] = {rows.x[i], rows.y[i]};
-      polygon.normals[i] = {rows.normal_x[i], rows.normal_y[i]};
-    }
-    polygon.count = rows.count;
-    polygon.radius = rows.radius;
-    polygon.rounding = rows.rounding;
-  }
-};
-
 template <class Scalar>
 Scalar between_outlines(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
   return static_cast<Scalar>(std::sqrt(clipping::squared_between_outlines(a, b)));
@@ -59,7 +43,8 @@ Scalar between_outlines(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scal
 [[gnu::flatten]] Manifold<float> collide_circle_and_core(const ShapeRows& a, const ShapeRows& b,
                                                          const Pose<float>& b_in_a) {
   if (b.count == 1) {
-    return clipping::contact_of_circle(LaidOut(a).polygon, placed_centre(b, b_in_a), Side::a, {});
+    alignas(64) const ConvexPolygon<float> core = polygon_of(a);  // as in contact_of_cores
+    return clipping::contact_of_circle(core, placed_centre(b, b_in_a), Side::a, {});
   }
   ConvexPolygon<float> placed;
   placed.count = b.count;
@@ -72,19 +57,18 @@ Scalar between_outlines(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scal
   return clipping::contact_of_circle(centre_of(a), placed, Side::b, {});
 }
 
+/// Polygons are aligned: what is written as vectors is read back at once.
 [[gnu::flatten]] Manifold<float> contact_of_cores(const ShapeRows& a, const ShapeRows& b_in_a,
                                                   const int (&face)[2], float tie_bias) {
-  const LaidOut laid_out_a(a);
-  const LaidOut laid_out_b(b_in_a);
-  const ConvexPolygon<float>& polygon_a = laid_out_a.polygon;
-  const ConvexPolygon<float>& polygon_b = laid_out_b.polygon;
+  alignas(64) const ConvexPolygon<float> polygon_a = polygon_of(a);
+  alignas(64) const ConvexPolygon<float> polygon_b = polygon_of(b_in_a);
   return clipping::contact_of_cores<float>(
       polygon_a, polygon_b, clipping::face_separation(polygon_a, face[0], polygon_b),
       clipping::face_separation(polygon_b, face[1], polygon_a), tie_bias, {});
 }
 
 float between_outlines(const ShapeRows& a, const ShapeRows& b_in_a) {
-  return between_outlines(LaidOut(a).polygon, LaidOut(b_in_a).polygon);
+  return between_outlines(polygon_of(a), polygon_of(b_in_a));
 }
 
 template <class Scalar>

@@ -55,16 +55,4 @@ ShapeRows rows_of(const ConvexPolygon<float>& polygon) {
   return rows;
 }
 
-ConvexPolygon<float> polygon_of(const ShapeRows& rows) {
-  ConvexPolygon<float> polygon;
-  polygon.count = rows.count;
-  polygon.radius = rows.radius;
-  polygon.rounding = rows.rounding;
-  for (int i = 0; i < rows.count; ++i) {
-    polygon.vertices[i] = {rows.x[i], rows.y[i]};
-    polygon.normals[i] = {rows.normal_x[i], rows.normal_y[i]};
-  }
-  return polygon;
-}
-
 }  // namespace manifuzz::kernel

@@ -93,7 +93,18 @@ struct alignas(64) ShapeRows {
 /// A shape, laid out in its own frame.
 ShapeRows rows_of(const ConvexPolygon<float>& polygon);
 
-/// The shape that was laid out.
-ConvexPolygon<float> polygon_of(const ShapeRows& rows);
+/// The shape that was laid out. Places past the last corner are copied as well: a loop of known
+/// length goes through vectors.
+inline ConvexPolygon<float> polygon_of(const ShapeRows& rows) {
+  ConvexPolygon<float> polygon;
+  for (int i = 0; i < kMaxVertices; ++i) {
+    polygon.vertices[i] = {rows.x[i], rows.y[i]};
+    polygon.normals[i] = {rows.normal_x[i], rows.normal_y[i]};
+  }
+  polygon.count = rows.count;
+  polygon.radius = rows.radius;
+  polygon.rounding = rows.rounding;
+  return polygon;
+}
 
 }  // namespace manifuzz::kernel
