@@ -75,30 +75,13 @@ Outcome outcome(Scene& scene) {
   return {scene.body_count(), sorted(result.contacts), began(result), ended(result)};
 }
 
-/// The next step tells of all that touch as begun, whether the call had come to place what it moved
-/// or not.
+/// The next step tells of all that touch as begun. Whether the moves were placed depends on where
+/// the memory ran out.
 void check_forgotten(Scene& scene, const Outcome& untouched, const Outcome& done) {
   const Outcome found = outcome(scene);
   CHECK((found.touches == done.touches || found.touches == untouched.touches));
   CHECK(found.began.size() == found.touches.size());
   CHECK(found.ended.empty());
-}
-
-/// Makes a call for which there is so much memory; whether that ran out.
-bool runs_out(Scene& scene, const Command& command, std::size_t after) {
-  bool has_thrown = false;
-  bool has_failed = false;
-  {
-    const test::FailingAllocation failing(after);
-    try {
-      command.run(scene);
-    } catch (const std::bad_alloc&) {
-      has_thrown = true;
-    }
-    has_failed = failing.has_failed();
-  }
-  REQUIRE(has_thrown == has_failed);
-  return has_failed;
 }
 
 /// Lets each allocation of a call fail, in a copy each; how many there were.
@@ -112,7 +95,7 @@ std::size_t check_every_failure(const Scene& before, const Command& command) {
   for (std::size_t after = 0;; ++after) {
     INFO(command.name << ", allocation " << after);
     Scene scene = before;
-    if (!runs_out(scene, command, after)) return after;
+    if (!test::runs_out(after, [&] { command.run(scene); })) return after;
     Scene left = scene;
     if (command.after == After::forgotten) {
       check_forgotten(left, unchanged, expected);
@@ -268,16 +251,7 @@ TEST_CASE("a question for which there is no memory changes nothing") {
   std::size_t failures = 0;
   for (std::size_t after = 0;; ++after, ++failures) {
     Scene scene = crowd.scene;
-    bool has_thrown = false;
-    {
-      const test::FailingAllocation failing(after);
-      try {
-        scene::cast_ray(scene, ray);
-      } catch (const std::bad_alloc&) {
-        has_thrown = true;
-      }
-    }
-    if (!has_thrown) break;
+    if (!test::runs_out(after, [&] { scene::cast_ray(scene, ray); })) break;
     const auto found = scene::cast_ray(scene, ray);
     REQUIRE(found);
     CHECK(found->handle == expected->handle);
