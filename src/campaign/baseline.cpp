@@ -11,7 +11,7 @@
 namespace manifuzz {
 
 bool holds_budgets(const Plan& plan) {
-  return !plan.context.radius;
+  return !plan.context.radius && plan.work->has_budgets();
 }
 
 bool is_over_budget(double per_million, std::string_view regime, std::uint64_t hits,

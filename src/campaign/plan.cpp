@@ -41,6 +41,11 @@ JudgedCase judged_case(const CorpusCase& given, const Collider& subject, const C
           judge_in_child(given.pair(), subject, oracle, interruption)};
 }
 
+std::string KindOfWork::options_again(const Plan& plan, CaseNumber number) const {
+  return fmt::format(" --regime {} --seed {} --first {} --cases 1",
+                     plan.regimes[plan.regime_of(number)]->name, plan.seed, plan.index_of(number));
+}
+
 std::vector<Declaration> asked_by(const Plan& plan) {
   std::vector<Declaration> asked{plan.subject.declaration};
   if (plan.oracle.declaration.name != kJudgeName) asked.push_back(plan.oracle.declaration);

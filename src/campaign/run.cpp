@@ -132,8 +132,7 @@ BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::
           .regime = regime,
           .error = finding.tally.error,
           .file = finding.file,
-          .command = fmt::format("{} --regime {} --seed {} --first {} --cases 1", command, regime,
-                                 plan.seed, plan.index_of(first)),
+          .command = command + plan.work->options_again(plan, first),
           .is_new = finding.is_new,
           .is_accepted = finding.is_accepted,
           .objection = finding.objection,
@@ -207,8 +206,17 @@ std::vector<std::string> stale_files(const Plan& plan, const Known& known,
 
 Campaign run_campaign(const Plan& plan, const Known& known, const SaveTo& save_to,
                       const Origin& origin, const OnProgress& on_progress) {
+  const RunCases run_cases = [&](Interruption& interruption) {
+    return run_plan(plan, known, interruption, on_progress);
+  };
+  return run_campaign_by(run_cases, plan, known, save_to, origin, on_progress);
+}
+
+Campaign run_campaign_by(const RunCases& run_cases, const Plan& plan, const Known& known,
+                         const SaveTo& save_to, const Origin& origin,
+                         const OnProgress& on_progress) {
   Interruption interruption;  // until it is saved: a signal between the steps ends no step
-  Campaign campaign{plan, run_plan(plan, known, interruption, on_progress), {}, {}, {}};
+  Campaign campaign{plan, run_cases(interruption), {}, {}, {}};
   const JobsResult& run = campaign.run;
   campaign.findings = findings(*run.tally, plan, known);
   if (!save_to.folder.empty()) {

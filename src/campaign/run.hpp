@@ -32,7 +32,8 @@ struct JobsResult {
 };
 
 /// The verdict on a case. Where both plainly agree, only one case in `judge_every` is judged.
-Judgement judgement_on(const Plan& plan, CaseNumber number, const exact::Truth& truth,
+Judgement judgement_on(const Plan& plan, CaseNumber number,
+                       const std::shared_ptr<const exact::Truth>& truth,
                        const ColliderAnswer& subject, const ColliderAnswer& oracle);
 
 /// Runs these cases of the plan, in as many child processes as it has jobs. A child that dies or
@@ -55,6 +56,15 @@ struct Origin {
   std::string command;                ///< how one that repeats a case begins, up to --regime
   nlohmann::ordered_json provenance;  ///< machine, compiler and versions
 };
+
+/// Runs a plan's cases, until it is done or somebody asks to stop.
+using RunCases = std::function<JobsResult(Interruption& interruption)>;
+
+/// What a plan's cases gave, in whatever way they were run: what is new is shrunk and saved, what
+/// decides the status first; once somebody has asked to stop, it is saved as it was seen.
+Campaign run_campaign_by(const RunCases& run_cases, const Plan& plan, const Known& known,
+                         const SaveTo& save_to, const Origin& origin,
+                         const OnProgress& on_progress);
 
 /// The campaign, until it is done or somebody asks to stop; then what it found that is new is
 /// shrunk and saved, what decides the status first; once somebody has asked to stop, it is saved as

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,10 @@ class KindOfWork {
   /// and counts them.
   virtual std::function<void()> block_runner(const Plan& plan, CampaignRun& run,
                                              CampaignJob& job) const = 0;
+  /// The options that run a case again, with a space before them.
+  virtual std::string options_again(const Plan& plan, CaseNumber number) const;
+  /// Whether its cases come as often as the ledger's budgets expect of their regimes.
+  virtual bool has_budgets() const { return true; }
   /// Known mistakes of an adapter that make the wrong answers.
   virtual std::vector<Hint> hints(const Tally& tally, const Plan& plan,
                                   Interruption& interruption) const {

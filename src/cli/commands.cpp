@@ -20,6 +20,7 @@ Run define_smoke(CLI::App& app);
 // In the program manifuzz-measure; null in those that are linked without its files.
 [[gnu::weak]] Run define_bench(CLI::App& app);
 [[gnu::weak]] Run define_digest(CLI::App& app);
+[[gnu::weak]] Run define_hunt(CLI::App& app);
 [[gnu::weak]] Run define_scene(CLI::App& app);
 [[gnu::weak]] Run define_stress(CLI::App& app);
 
@@ -32,6 +33,12 @@ std::span<const Command> commands() {
        "manifuzz fuzz --until-new --regime sliver --seed 1 --cases 20000\n"
        "manifuzz fuzz --subject cached --regime turning_platform --seed 1 --cases 1000",
        define_fuzz},
+      {"hunt",
+       "Breed cases from cases, to find the worst that a collider does, and behaviour that drawn "
+       "cases do not show; judge, shrink and save it as fuzz does.",
+       "manifuzz hunt --subject clip --seed 1 --cases 200000\n"
+       "manifuzz hunt --subject box2d --oracle clip --measure error --seed 1 --cases 200000",
+       define_hunt},
       {"replay", "Run every case and sequence of the corpus again; the subject must be right.",
        "manifuzz replay corpus --subject clip --oracle box2d", define_replay},
       {"property", "Test a collider for what must be true of any collider; this needs no oracle.",

@@ -29,26 +29,12 @@ PairCase plain_pair() {
   return pair;
 }
 
-/// Circles and capsules keep their own.
-void put_radius(const GenerationContext& context, PairCase& pair) {
-  const auto given = context.radius || is_round(pair) ? context.radius : context.mitred_radius;
-  if (!given) return;
-  for (Body* const body : {&pair.a, &pair.b}) {
-    if (body->polygon.count >= kMinVertices) body->polygon.radius = *given;
-  }
-}
-
 /// One attempt: whether it gave a case. With large radii bodies are put so far away that float
 /// ends; what polygons there are have no defects.
 bool attempt(Random& random, const Regime& regime, const GenerationContext& context,
              PairCase& pair) {
   return regime.attempt(random, context, pair) && pair.a.pose.position.allFinite() &&
          pair.b.pose.position.allFinite();
-}
-
-bool is_taken(const GenerationContext& context, const PairCase& pair) {
-  const auto& takes = is_round(pair) ? context.takes : context.takes_mitred;
-  return !takes || takes(pair);
 }
 
 constexpr int kAttempts = 64;
@@ -80,6 +66,19 @@ std::span<const Regime> round_regimes() {
 
 const Regime* find_regime(std::string_view name) {
   return find_by_name(kRegimes, name);
+}
+
+bool is_taken(const GenerationContext& context, const PairCase& pair) {
+  const auto& takes = is_round(pair) ? context.takes : context.takes_mitred;
+  return !takes || takes(pair);
+}
+
+void put_radius(const GenerationContext& context, PairCase& pair) {
+  const auto given = context.radius || is_round(pair) ? context.radius : context.mitred_radius;
+  if (!given) return;
+  for (Body* const body : {&pair.a, &pair.b}) {
+    if (body->polygon.count >= kMinVertices) body->polygon.radius = *given;
+  }
 }
 
 PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,

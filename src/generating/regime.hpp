@@ -50,6 +50,12 @@ const Regime* find_regime(std::string_view name);
 PairCase generate(std::uint64_t seed, const Regime& regime, std::uint64_t index,
                   const GenerationContext& context = {});
 
+/// Whether the case is one that is asked for.
+bool is_taken(const GenerationContext& context, const PairCase& pair);
+
+/// Gives polygons the radius that is asked for; circles and capsules keep their own.
+void put_radius(const GenerationContext& context, PairCase& pair);
+
 }  // namespace manifuzz
 
 namespace manifuzz::draw {

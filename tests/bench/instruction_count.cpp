@@ -36,13 +36,13 @@ std::string target() {
 /// From its numbers to the tally.
 void run_case(const Plan& plan, CaseNumber number, Tally& tally) {
   const PairCase pair = plan.pair(number);
-  const exact::Truth truth(pair);
+  const auto truth = std::make_shared<const exact::Truth>(pair);
   const Answer of_subject = plan.subject.collide(pair);
   const Answer of_oracle = plan.oracle.collide(pair);
   const Judgement judgement =
       judgement_on(plan, number, truth, {plan.subject.declaration, of_subject},
                    {plan.oracle.declaration, of_oracle});
-  tally.add(plan.regime_of(number), number, standing(truth), judgement);
+  tally.add(plan.regime_of(number), number, standing(*truth), judgement);
 }
 
 std::function<void()> campaign_pass() {

@@ -45,6 +45,7 @@ const std::vector<Folder> kFolders = {
     {"corpus", "corpus", {"own code", "external"}},
     {"engines", "engines", {}},
     {"campaign", "campaign", {"own code"}},
+    {"hunting", "campaign", {"own code"}},
     {"measure", "measure", {}},
     {"report", "report", {"own code"}},
     {"cli", "cli", {}},

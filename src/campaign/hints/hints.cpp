@@ -166,7 +166,9 @@ class AskingAgain {
 
   std::vector<AskedAgain> ask(std::span<const CaseNumber> numbers) const {
     std::vector<PairCase> pairs;
-    for (const CaseNumber number : numbers) pairs.push_back(plan_.pair(number));
+    for (const CaseNumber number : numbers) {
+      pairs.push_back(std::get<PairCase>(plan_.work->draw(plan_, number)));
+    }
     std::vector<Answer> answers(pairs.size());
     const std::size_t count = subject_.collide_many(
         pairs, answers, [this] { return interruption_.state() == Interruption::State::running; });

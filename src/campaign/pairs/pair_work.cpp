@@ -1,3 +1,5 @@
+#include "campaign/pairs/pair_work.hpp"
+
 #include <algorithm>
 #include <vector>
 
@@ -76,9 +78,10 @@ bool is_unsteady(const Bucket& bucket, const PairCase& pair, std::size_t i, Camp
 }
 
 /// A case's way: two answers are compared, and judged where need be; the tally has it.
-void run_case(const Plan& plan, const PairCase& pair, std::size_t i, CampaignRun& run,
-              BlockAnswers& of_subject, BlockAnswers& of_oracle, CampaignJob& job) {
-  const exact::Truth truth(pair);
+void run_case(const WorkOnPairs& work, const Plan& plan, const PairCase& pair, std::size_t i,
+              CampaignRun& run, BlockAnswers& of_subject, BlockAnswers& of_oracle,
+              CampaignJob& job) {
+  const auto truth = std::make_shared<const exact::Truth>(pair);
   job.begin(Step::asking_subject);
   const ColliderAnswer subject = ask_case(pair, i, of_subject);
   job.begin(Step::asking_oracle);
@@ -86,22 +89,25 @@ void run_case(const Plan& plan, const PairCase& pair, std::size_t i, CampaignRun
   job.begin(Step::judging);
   Judgement judgement = judgement_on(plan, job.next, truth, subject, oracle);
   for (BlockAnswers* const of : {&of_subject, &of_oracle}) {
-    if (is_unsteady(judgement.bucket, pair, i, job, *of)) judgement = judge(pair, subject, oracle);
+    if (is_unsteady(judgement.bucket, pair, i, job, *of)) judgement = judge(truth, subject, oracle);
   }
-  job.count(plan, run, standing(truth), judgement);
+  work.learn(job.next, {truth, subject, judgement});
+  job.count(plan, run, standing(*truth), judgement);
 }
 
 /// The cases of the job's block, to its end.
-void run_block(const Plan& plan, CampaignRun& run, CampaignJob& job, BlockAnswers& of_subject,
-               BlockAnswers& of_oracle) {
+void run_block(const WorkOnPairs& work, const Plan& plan, CampaignRun& run, CampaignJob& job,
+               BlockAnswers& of_subject, BlockAnswers& of_oracle) {
   job.begin(Step::generating);
   std::vector<PairCase> pairs;
   pairs.reserve(job.end - job.next);
-  for (CaseNumber number = job.next; number < job.end; ++number) pairs.push_back(plan.pair(number));
+  for (CaseNumber number = job.next; number < job.end; ++number) {
+    pairs.push_back(work.pair(plan, number));
+  }
   const std::size_t answered =
       std::min({ask_block(pairs, run, job, of_subject), ask_block(pairs, run, job, of_oracle)});
   for (std::size_t i = 0; i < answered && job.next < run.sought; ++i) {
-    run_case(plan, pairs[i], i, run, of_subject, of_oracle, job);
+    run_case(work, plan, pairs[i], i, run, of_subject, of_oracle, job);
     for (const BlockAnswers* const of : {&of_subject, &of_oracle}) {
       if (of->unsteady < kUnsteadyMax) continue;
       return run.give_up(of->role, kUnsteady);
@@ -116,41 +122,41 @@ bool is_sampled(const Plan& plan, CaseNumber number) {
   return mix(plan.index_of(number) ^ mix(plan.seed ^ stream)) % plan.judge_every == 0;
 }
 
-class WorkOnPairs : public KindOfWork {
- public:
-  CaseKind kind() const override { return CaseKind::pair; }
-  std::string_view noun() const override { return "cases"; }
-  std::uint64_t block_length() const override { return kPairBlock; }
-
-  AnyCase draw(const Plan& plan, CaseNumber number) const override { return plan.pair(number); }
-
-  std::shared_ptr<const Trial> trial(const Plan& plan) const override {
-    return trial_of_pairs(plan.subject, plan.oracle);
-  }
-
-  std::function<void()> block_runner(const Plan& plan, CampaignRun& run,
-                                     CampaignJob& job) const override {
-    return [&plan, &run, &job, of_subject = BlockAnswers{plan.subject, Fault::subject},
-            of_oracle = BlockAnswers{plan.oracle, Fault::oracle}]() mutable {
-      run_block(plan, run, job, of_subject, of_oracle);
-    };
-  }
-
-  std::vector<Hint> hints(const Tally& tally, const Plan& plan,
-                          Interruption& interruption) const override {
-    return hints_of(tally, plan, interruption);
-  }
-};
-
 }  // namespace
 
-Judgement judgement_on(const Plan& plan, CaseNumber number, const exact::Truth& truth,
+Judgement judgement_on(const Plan& plan, CaseNumber number,
+                       const std::shared_ptr<const exact::Truth>& truth,
                        const ColliderAnswer& subject, const ColliderAnswer& oracle) {
-  if (!is_sampled(plan, number) && plainly_agree(truth, subject, oracle)) {
+  if (!is_sampled(plan, number) && plainly_agree(*truth, subject, oracle)) {
     // That neither reports a contact is held exactly in comparing them.
     return {.is_judged = !touches(subject.answer)};
   }
-  return judge(truth.pair(), subject, oracle);
+  return judge(truth, subject, oracle);
+}
+
+std::uint64_t WorkOnPairs::block_length() const {
+  return kPairBlock;
+}
+
+PairCase WorkOnPairs::pair(const Plan& plan, CaseNumber number) const {
+  return plan.pair(number);
+}
+
+std::shared_ptr<const Trial> WorkOnPairs::trial(const Plan& plan) const {
+  return trial_of_pairs(plan.subject, plan.oracle);
+}
+
+std::function<void()> WorkOnPairs::block_runner(const Plan& plan, CampaignRun& run,
+                                                CampaignJob& job) const {
+  return [this, &plan, &run, &job, of_subject = BlockAnswers{plan.subject, Fault::subject},
+          of_oracle = BlockAnswers{plan.oracle, Fault::oracle}]() mutable {
+    run_block(*this, plan, run, job, of_subject, of_oracle);
+  };
+}
+
+std::vector<Hint> WorkOnPairs::hints(const Tally& tally, const Plan& plan,
+                                     Interruption& interruption) const {
+  return hints_of(tally, plan, interruption);
 }
 
 std::shared_ptr<const KindOfWork> work_on_pairs() {

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "campaign/result.hpp"
+#include "cli/collider_choice.hpp"
+#include "cli/commands.hpp"
+#include "cli/kinds.hpp"
+#include "cli/options.hpp"
+#include "engines/provenance.hpp"
+#include "hunting/hunt.hpp"
+#include "report/campaign_text.hpp"
+#include "report/measurements/hunt_report.hpp"
+#include "report/outputs.hpp"
+
+namespace manifuzz {
+namespace {
+
+constexpr double kUsualSeconds = 10;
+constexpr std::uint64_t kMostJobs = 256;
+
+struct HuntArguments {
+  SubjectAndOracle colliders;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> cases;
+  std::optional<double> seconds;
+  std::optional<std::uint64_t> jobs;
+  std::vector<std::string> regimes;
+  std::vector<std::string> from;
+  std::string measure;
+  bool is_alone = false;
+  std::optional<double> tie_bias;
+  std::optional<double> radius;
+  CorpusFolders folders;
+  std::optional<double> shrink_seconds;
+  std::string today;
+  std::string json;
+  bool is_verbose = false;
+};
+
+std::optional<Measure> measure_named(const std::string& name) {
+  const auto found = std::ranges::find(kMeasureNames, name);
+  if (found == kMeasureNames.end()) return std::nullopt;
+  return static_cast<Measure>(found - kMeasureNames.begin());
+}
+
+/// The pair cases in the files and folders that --from names, one broken file being an error.
+std::vector<PairCase> founders_in(const std::vector<std::string>& paths) {
+  std::vector<PairCase> founders;
+  for (const std::string& path : paths) {
+    const std::filesystem::path folder(path);
+    const Corpus corpus = read_corpus({&folder, 1});
+    if (!corpus.errors.empty()) throw UserError(corpus.errors.front());
+    for (const CorpusCase& one : corpus.cases) founders.push_back(one.pair());
+  }
+  return founders;
+}
+
+HuntPlan hunt_plan_of(const HuntArguments& options) {
+  HuntPlan hunt;
+  Plan& plan = hunt.plan;
+  const SubjectAndOracle& asked = options.colliders;
+  if (const OtherKind* const kind = kind_for(asked.subject)) {
+    throw UserError(fmt::format("hunt: {} takes {}; a collider of pairs is expected",
+                                printable(asked.subject.name), kind->noun));
+  }
+  plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
+  plan.oracle = find_collider(asked.oracle, asked.external);
+  expect_regimes_of_pairs(options.regimes);
+  plan.regimes = regimes_for({plan.subject, plan.oracle}, options.regimes);
+  if (options.radius) plan.context.radius = radius_of(*options.radius);
+  narrow_to_colliders(plan);
+  plan.cases = options.cases;
+  plan.seconds = options.seconds;
+  if (!options.cases && !options.seconds) plan.seconds = kUsualSeconds;
+  plan.jobs = static_cast<int>(
+      options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
+  hunt.measure = measure_named(options.measure);
+  hunt.compares = !options.is_alone;
+  hunt.founders = founders_in(options.from);
+  std::erase_if(hunt.founders,
+                [&](const PairCase& pair) { return !is_taken(plan.context, pair); });
+  return hunt;
+}
+
+/// The beginning of a command that repeats a hunt up to a case.
+std::string repeating_hunt(const HuntArguments& options) {
+  std::string command = fmt::format("{} hunt {}", this_program(), options_again(options.colliders));
+  for (const std::string& regime : options.regimes) command += fmt::format(" --regime {}", regime);
+  for (const std::string& path : options.from) {
+    command += fmt::format(" --from {}", quoted_for_shell(path));
+  }
+  if (!options.measure.empty()) command += fmt::format(" --measure {}", options.measure);
+  if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
+  if (options.radius) command += fmt::format(" --radius {}", *options.radius);
+  return command + " --no-compare" + options.folders.again();
+}
+
+CommandFiles files_of_hunt(const HuntArguments& options) {
+  CommandFiles files{{options.folders.saved(), {"--json", options.json}}, options.folders.all()};
+  for (const std::string& path : options.from) files.inputs.emplace_back(path);
+  return files;
+}
+
+int hunt(HuntArguments& options) {
+  options.folders.make_relative();
+  check_outputs(files_of_hunt(options));
+  const Corpus corpus = read_corpus_folder(options.folders.corpus());
+  const Corpus all = read_whole(options.folders);
+  HuntPlan plan = hunt_plan_of(options);
+  plan.plan.seed = seed_or_draw(options.seed);
+  const std::vector<PairCase> pairs = pairs_of(corpus, plan.plan.seed);
+  plan.plan.context.corpus = pairs;
+  const Known known = known_of(all.of(CaseKind::pair), options.today);
+  const SaveTo saved{.folder = options.folders.save_to(),
+                     .shrink_seconds = options.shrink_seconds.value_or(kShrinkSeconds)};
+  const Origin origin{repeating_hunt(options),
+                      provenance(plan.plan.seed, asked_by(plan.plan))};
+  const Hunt hunted = [&] {
+    const ProgressLine line;
+    return run_hunt(plan, known, saved, origin,
+                    [&](const HuntProgress& progress) { line.show(hunt_line(progress)); });
+  }();
+  const ShowAgain show{this_program(), options_to_show(options.colliders)};
+  Outputs outputs;
+  outputs.write(true, [&] {
+    write_to_reader(leaves_out_tables(options.json) ? objections(hunted.campaign)
+                    : options.is_verbose            ? hunt_table(hunted)
+                                                    : hunt_screen(hunted, show));
+  });
+  outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(json_of(hunted))); });
+  outputs.add_error(unwritten_in_words(hunted.campaign.saving));
+  if (!outputs.are_written()) return 2;
+  return has_failed(hunted.campaign.result) ? 1 : 0;
+}
+
+void add_hunt_arguments(CLI::App& app, HuntArguments& options) {
+  add_subject_and_oracle(app, options.colliders);
+  add_seed(app, options.seed);
+  CLI::Option* const cases = add_whole_number(app, "--cases", options.cases,
+                                              "number of cases to breed and judge", 1);
+  add_length(app, "--seconds", options.seconds,
+             "duration of the hunt in seconds, drawn cases included; default: 10")
+      ->excludes(cases);
+  add_text(app, "--from", options.from, "PATH",
+           "file or folder of cases to begin with, besides drawn ones; repeatable");
+  app.add_option("--measure", options.measure,
+                 "look for the worst of one measure alone: error (of wrong answers), bound_share "
+                 "(how much of its bound a right answer takes), missed (depth of missed contacts)")
+      ->check(CLI::IsMember(std::vector<std::string>(kMeasureNames.begin(), kMeasureNames.end())));
+  app.add_flag("--no-compare", options.is_alone,
+               "do not run as many drawn cases beside it, to compare with");
+  add_length(app, "--shrink-seconds", options.shrink_seconds,
+             "seconds to spend on shrinking all findings; default: 10");
+  add_today(app, options.today);
+  add_whole_number(app, "--jobs", options.jobs, "number of worker processes; default: one per core",
+                   1, kMostJobs);
+  add_regimes(app, options.regimes);
+  add_length(app, "--tie-bias", options.tie_bias,
+             "tie bias of the subject: how much greater the separation of B's face must be for B "
+             "to become the reference");
+  add_radius(app, options.radius);
+  add_corpus(app, options.folders,
+             "folder of known cases, in which new ones are saved; default: read corpus, and save "
+             "new ones in build/found of the source tree, or in found outside of it");
+  add_found(app, options.folders);
+  add_no_save(app, options.folders);
+  app.add_flag("--verbose", options.is_verbose,
+               "print tables of verdicts, causes and buckets in place of the short summary");
+  add_json(app, options.json, "the summary");
+}
+
+}  // namespace
+
+Run define_hunt(CLI::App& app) {
+  return define<HuntArguments, add_hunt_arguments, hunt>(app);
+}
+
+}  // namespace manifuzz

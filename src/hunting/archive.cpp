@@ -1,0 +1,121 @@
+#include "hunting/archive.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace manifuzz {
+namespace {
+
+constexpr std::size_t kPairs = kConditions * (kConditions - 1) / 2;
+constexpr std::size_t kBinsOfPair = static_cast<std::size_t>(kBins) * kBins;
+
+/// So many of the last cases are remembered, at least.
+constexpr std::size_t kRemembered = 4096;
+
+/// What makes a tuple of labels.
+constexpr std::array kKind{Condition::count_a, Condition::count_b, Condition::corners,
+                           Condition::reference_side, Condition::cuts};
+constexpr std::array kNumbers{Condition::reference_face, Condition::incident_edge};
+/// A cell for a bin of each of these.
+constexpr std::array kBesideLabels{Condition::depth, Condition::tilt, Condition::slab_margin};
+
+std::uint64_t key_of(std::span<const Condition> labels, const Conditions& conditions,
+                     std::uint64_t key) {
+  for (const Condition label : labels) key = key * kBins + conditions[label];
+  return key;
+}
+
+}  // namespace
+
+Archive::Archive() : pair_cells_(kPairs * kBinsOfPair) {}
+
+std::uint32_t Archive::find_won(const Observation& observed, double value, std::vector<Cell*>& won) {
+  std::uint32_t new_cells = 0;
+  const auto& bins = observed.conditions.all();
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < kConditions; ++i) {
+    for (std::size_t j = i + 1; j < kConditions; ++j, begin += kBinsOfPair) {
+      const std::size_t at = begin + std::size_t{bins[i]} * kBins + bins[j];
+      Cell& cell = pair_cells_[at];
+      ++cell.visits;
+      if (cell.is_filled && cell.value >= value) continue;
+      if (!cell.is_filled) {
+        ++new_cells;
+        filled_pairs_.push_back(static_cast<std::uint32_t>(at));
+      }
+      won.push_back(&cell);
+    }
+  }
+  const std::uint64_t kind = key_of(kKind, observed.conditions, 1);
+  new_cells += find_won_in_tuples(kinds_, kind, observed.conditions, value, won);
+  const std::uint64_t labels = key_of(kNumbers, observed.conditions, kind);
+  return new_cells + find_won_in_tuples(labels_, labels, observed.conditions, value, won);
+}
+
+std::uint32_t Archive::find_won_in_tuples(Tuples& tuples, std::uint64_t tuple,
+                                          const Conditions& conditions, double value,
+                                          std::vector<Cell*>& won) {
+  std::uint32_t new_cells = 0;
+  for (std::size_t k = 0; k < kBesideLabels.size(); ++k) {
+    const std::uint64_t key =
+        (tuple * kBesideLabels.size() + k) * kBins + conditions[kBesideLabels[k]];
+    const auto place = static_cast<std::uint32_t>(tuples.cells.size());
+    const auto [found, is_new] = tuples.places.try_emplace(key, place);
+    if (is_new) {
+      tuples.cells.emplace_back();
+      ++new_cells;
+    }
+    Cell& cell = tuples.cells[found->second];
+    ++cell.visits;
+    if (!cell.is_filled || cell.value < value) won.push_back(&cell);
+  }
+  return new_cells;
+}
+
+EntryId Archive::put(const PairCase& pair, double value) {
+  const Entry entry{pair, value};
+  EntryId id = static_cast<EntryId>(entries_.size());
+  if (free_.empty()) {
+    entries_.push_back(entry);
+  } else {
+    id = free_.back();
+    free_.pop_back();
+    entries_[id] = entry;
+  }
+  if (newest_.size() >= 2 * kRemembered) {
+    newest_.erase(newest_.begin(), newest_.end() - kRemembered);
+  }
+  newest_.push_back(id);
+  return id;
+}
+
+void Archive::take(Cell& cell, EntryId entry) {
+  const Cell before = cell;
+  cell.entry = entry;
+  cell.value = entries_[entry].value;
+  cell.is_filled = true;
+  ++entries_[entry].cells;
+  if (!before.is_filled) return;
+  --entries_[before.entry].cells;
+  free_if_unused(before.entry);
+}
+
+void Archive::let_go(EntryId id) {
+  --entries_[id].holds;
+  free_if_unused(id);
+}
+
+void Archive::free_if_unused(EntryId id) {
+  if (entries_[id].cells == 0 && entries_[id].holds == 0) free_.push_back(id);
+}
+
+std::vector<EntryId> Archive::newest(std::size_t most) const {
+  std::vector<EntryId> newest;
+  const std::size_t begin = newest_.size() - std::min(most, newest_.size());
+  for (std::size_t i = begin; i < newest_.size(); ++i) {
+    if (entries_[newest_[i]].cells > 0) newest.push_back(newest_[i]);
+  }
+  return newest;
+}
+
+}  // namespace manifuzz

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/pair_case.hpp"
+#include "hunting/observation.hpp"
+
+namespace manifuzz {
+
+/// A place in an archive's list of cases; who is freed gives it to another.
+using EntryId = std::uint32_t;
+
+/// Sets of cells that share their cases: a cell for each pair of conditions with their bins, and one
+/// for each tuple of labels with a bin of depth, tilt or margin, once of all labels and once without
+/// the numbers of face and edge. Each holds the case of the greatest value, the first of equals.
+class Archive {
+ public:
+  struct Entry {
+    PairCase pair;
+    double value = 0;
+    std::uint32_t cells = 0;  ///< that hold it
+    std::uint32_t holds = 0;  ///< of others
+    std::uint32_t uses = 0;   ///< as a parent
+  };
+
+  /// How many cells a case fills that were empty, and where it is kept if it takes any.
+  struct Taken {
+    std::uint32_t new_cells = 0;
+    std::optional<EntryId> entry{};
+  };
+
+  Archive();
+
+  /// What a case of this observed and value takes. `pair_of` makes the case, once it is needed.
+  template <class PairOf>
+  Taken add(const Observation& observed, double value, const PairOf& pair_of) {
+    std::vector<Cell*> won;
+    Taken taken{find_won(observed, value, won)};
+    if (won.empty()) return taken;
+    taken.entry = put(pair_of(), value);
+    for (Cell* const cell : won) take(*cell, *taken.entry);
+    return taken;
+  }
+
+  /// The sets of cells.
+  enum class Set { pairs, labels, kinds };
+
+  /// How many cells of a set are filled.
+  std::size_t cell_count(Set set) const {
+    return set == Set::pairs ? filled_pairs_.size() : tuples_of(set).cells.size();
+  }
+  std::size_t cell_count() const {
+    return cell_count(Set::pairs) + cell_count(Set::labels) + cell_count(Set::kinds);
+  }
+  bool is_empty() const { return cell_count() == 0; }
+
+  struct Cell {
+    EntryId entry = 0;
+    bool is_filled = false;
+    std::uint64_t visits = 0;  ///< cases that belong into it
+    double value = 0;
+  };
+  /// A set's k-th filled cell, in the order in which they were filled.
+  const Cell& cell(Set set, std::size_t k) const {
+    return set == Set::pairs ? pair_cells_[filled_pairs_[k]] : tuples_of(set).cells[k];
+  }
+  /// The cases that were added last, the oldest first, as far as they still hold a cell.
+  std::vector<EntryId> newest(std::size_t most) const;
+
+  const Entry& operator[](EntryId id) const { return entries_[id]; }
+  Entry& operator[](EntryId id) { return entries_[id]; }
+
+  /// A case without a cell: to be held.
+  EntryId put(const PairCase& pair, double value);
+
+  /// Keeps a case that may lose its last cell, until it is let go.
+  void hold(EntryId id) { ++entries_[id].holds; }
+  void let_go(EntryId id);
+
+ private:
+  /// The cells of tuples of labels.
+  struct Tuples {
+    std::deque<Cell> cells;  ///< pointers to them stay
+    std::unordered_map<std::uint64_t, std::uint32_t> places;
+  };
+  const Tuples& tuples_of(Set set) const { return set == Set::labels ? labels_ : kinds_; }
+
+  /// Finds the cells that such a case takes, new ones among them; how many of these there are.
+  std::uint32_t find_won(const Observation& observed, double value, std::vector<Cell*>& won);
+  std::uint32_t find_won_in_tuples(Tuples& tuples, std::uint64_t tuple,
+                                   const Conditions& conditions, double value,
+                                   std::vector<Cell*>& won);
+  void take(Cell& cell, EntryId entry);
+  void free_if_unused(EntryId id);
+
+  std::vector<Entry> entries_;
+  std::vector<EntryId> free_;
+  std::vector<Cell> pair_cells_;
+  std::vector<std::uint32_t> filled_pairs_;
+  Tuples labels_;
+  Tuples kinds_;
+  std::vector<EntryId> newest_;
+};
+
+}  // namespace manifuzz

@@ -1,0 +1,179 @@
+#include "hunting/hunt.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace manifuzz {
+namespace {
+
+/// Drawn cases, of which the same is learnt as of hunted ones.
+class DrawnPairs : public WorkOnPairs {
+ public:
+  DrawnPairs(std::size_t most, OnJudged on_judged)
+      : on_judged_(std::move(on_judged)), observations_(most) {}
+
+  void learn(CaseNumber number, const JudgedPair& judged) const override {
+    observations_[number - begin_] = observation_of(judged);
+    if (on_judged_) on_judged_(number, judged);
+  }
+  void begin(SharedQueue::Block cases) {
+    begin_ = cases.begin;
+    length_ = cases.end - cases.begin;
+    std::ranges::fill(observations_.all(), Observation{});
+  }
+  void end(const std::optional<Measure>& measure) {
+    for (std::size_t i = 0; i < length_; ++i) {
+      const Observation& observed = observations_[i];
+      if (!observed.is_there || !observed.is_well_posed) continue;
+      for (std::size_t k = 0; k < kGauges; ++k) {
+        if (observed.gauges[k] > worst_[k].value) worst_[k] = {observed.gauges[k], begin_ + i};
+      }
+      archive_.add(observed, value_of(observed, measure), [] { return PairCase{}; });
+    }
+  }
+  const WorstOfGauges& worst() const { return worst_; }
+  std::size_t cell_count() const { return archive_.cell_count(); }
+
+ private:
+  OnJudged on_judged_;
+  CaseNumber begin_ = 0;
+  std::size_t length_ = 0;
+  Shared<Observation> observations_;
+  Archive archive_;
+  WorstOfGauges worst_{};
+};
+
+/// Adds a part of a run to what there is of it.
+void add(JobsResult& all, JobsResult part) {
+  if (!all.tally) all.tally = std::make_unique<Tally>();
+  all.tally->add(*part.tally);
+  all.seconds += part.seconds;
+  all.interrupted = part.interrupted;
+  all.given_up = part.given_up;
+  all.why_given_up = part.why_given_up;
+}
+
+bool has_ended(const JobsResult& run) {
+  return run.interrupted || run.given_up != Fault::none;
+}
+
+class Hunting {
+ public:
+  Hunting(const HuntPlan& hunt, const OnHuntProgress& on_progress)
+      : hunt_(hunt),
+        on_progress_(on_progress),
+        drawn_plan_(hunt.plan),
+        plan_(hunt.plan),
+        bred_(std::make_shared<HuntedPairs>(
+            Breed{hunt.plan.regimes, hunt.founders, hunt.measure, hunt.on_hunted}, hunt.plan)) {
+    plan_.regimes = {&kHunted};
+    plan_.work = bred_;
+    plan_.judge_every = drawn_plan_.judge_every = 1;
+    drawn_all_.tally = std::make_unique<Tally>();
+    if (!hunt.compares) return;
+    drawn_ = std::make_shared<DrawnPairs>(kLongestGeneration + hunt.founders.size(), hunt.on_drawn);
+    drawn_plan_.work = drawn_;
+  }
+
+  const Plan& plan() const { return plan_; }
+
+  JobsResult run(Interruption& interruption) {
+    JobsResult all;
+    add(all, {.tally = std::make_unique<Tally>()});
+    const CaseNumber end = plan_.cases_max();
+    for (CaseNumber begun = 0; begun < end && !has_ended(all) && !is_time_up(all);) {
+      const SharedQueue::Block cases = bred_->begin_generation(end - begun);
+      begun = cases.end;
+      add(all, run_part(plan_, cases, all, interruption));
+      bred_->end_generation(plan_, *all.tally);
+      if (drawn_ && !has_ended(all)) run_drawn(cases, all, interruption);
+    }
+    return all;
+  }
+
+  Hunt finished(Campaign campaign) const {
+    Hunt result{.campaign = std::move(campaign),
+                .generations = bred_->generations(),
+                .cells = bred_->cell_count(),
+                .cells_drawn = {},
+                .worst = {}};
+    for (std::size_t k = 0; k < kGauges; ++k) {
+      const auto gauge = static_cast<Gauge>(k);
+      if (hunt_.measure && measure_of(gauge) != *hunt_.measure) continue;
+      const Worst& worst = bred_->worst()[k];
+      WorstFound found{gauge, worst.value, {}, worst.number, {}};
+      if (worst.value > 0) found.pair = bred_->pair(plan_, worst.number);
+      if (drawn_) found.drawn = drawn_->worst()[k].value;
+      result.worst.push_back(found);
+    }
+    if (!drawn_) return result;
+    result.cells_drawn = drawn_->cell_count();
+    for (const BucketTallies::Met& met : drawn_all_.tally->buckets.all()) {
+      const bool is_hunted = result.campaign.run.tally->buckets.find(met.bucket) != nullptr;
+      if (met.bucket.fault != Fault::none && !is_hunted) {
+        result.buckets_drawn.push_back(to_string(met.bucket));
+      }
+    }
+    return result;
+  }
+
+ private:
+  bool is_time_up(const JobsResult& all) const {
+    return plan_.seconds && all.seconds + drawn_all_.seconds >= *plan_.seconds;
+  }
+
+  JobsResult run_part(const Plan& plan, SharedQueue::Block cases, const JobsResult& all,
+                      Interruption& interruption) {
+    Plan part = plan;  // with the time that is left
+    if (plan.seconds) part.seconds = *plan.seconds - all.seconds - drawn_all_.seconds;
+    return run_jobs(part, cases, interruption,
+                    [&](const Progress& so_far) { show(so_far, all); });
+  }
+
+  void run_drawn(SharedQueue::Block cases, JobsResult& all, Interruption& interruption) {
+    drawn_->begin(cases);
+    add(drawn_all_, run_part(drawn_plan_, cases, all, interruption));
+    drawn_->end(hunt_.measure);
+    all.interrupted = drawn_all_.interrupted;
+  }
+
+  void show(const Progress& so_far, const JobsResult& all) const {
+    const auto tally = std::make_unique<Tally>(*all.tally);
+    HuntProgress progress{.plan = plan_,
+                          .cases = {*tally, all.seconds + drawn_all_.seconds + so_far.seconds},
+                          .cells = bred_->cell_count(),
+                          .cells_drawn = {},
+                          .behaviours = tally->buckets.all().size()};
+    if (drawn_) progress.cells_drawn = drawn_->cell_count();
+    for (std::size_t k = kGauges; k-- > 0;) {
+      if (bred_->worst()[k].value <= 0) continue;
+      progress.worst = bred_->worst()[k].value;
+      progress.worst_of = static_cast<Gauge>(k);
+    }
+    on_progress_(progress);
+  }
+
+  const HuntPlan& hunt_;
+  const OnHuntProgress& on_progress_;
+  Plan drawn_plan_;
+  Plan plan_;
+  std::shared_ptr<HuntedPairs> bred_;
+  std::shared_ptr<DrawnPairs> drawn_;
+  JobsResult drawn_all_;
+};
+
+}  // namespace
+
+Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to,
+              const Origin& origin, const OnHuntProgress& on_progress) {
+  Hunting hunting(hunt, on_progress);
+  const auto on_saving = [&](const Progress& progress) {
+    on_progress({.plan = hunting.plan(), .cases = progress, .cells = 0, .cells_drawn = {}});
+  };
+  Campaign campaign =
+      run_campaign_by([&](Interruption& interruption) { return hunting.run(interruption); },
+                      hunting.plan(), known, save_to, origin, on_saving);
+  return hunting.finished(std::move(campaign));
+}
+
+}  // namespace manifuzz

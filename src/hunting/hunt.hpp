@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "hunting/hunted_pairs.hpp"
+
+namespace manifuzz {
+
+/// What a hunt is to look for, and among what.
+struct HuntPlan {
+  Plan plan;  ///< its regimes are those that cases are drawn from
+  std::vector<PairCase> founders;
+  std::optional<Measure> measure;
+  bool compares = true;  ///< runs as many drawn cases, too
+  /// Is told of each hunted case and of each drawn one once it is judged, in the job's process.
+  OnJudged on_hunted{};
+  OnJudged on_drawn{};
+};
+
+/// The greatest of one gauge that a hunt met, and that as many drawn cases met.
+struct WorstFound {
+  Gauge gauge = Gauge::error;
+  double value = 0;  ///< 0: none
+  std::optional<PairCase> pair;
+  CaseNumber number = 0;
+  std::optional<double> drawn;  ///< none: nothing was drawn to compare with
+  std::string file{};           ///< of a corpus, where it is kept; else empty
+};
+
+/// How far a hunt has come.
+struct HuntProgress {
+  const Plan& plan;  ///< of the hunted cases
+  Progress cases;
+  std::size_t cells = 0;
+  std::optional<std::size_t> cells_drawn;
+  double worst = 0;                 ///< of the first measure that has any
+  Gauge worst_of = Gauge::error;    ///< which that is
+  std::size_t behaviours = 0;       ///< buckets that were met
+};
+using OnHuntProgress = std::function<void(const HuntProgress&)>;
+
+/// A hunt that was run. What it found wrong is a campaign's findings.
+struct Hunt {
+  Campaign campaign;
+  std::size_t generations = 0;
+  std::size_t cells = 0;
+  std::optional<std::size_t> cells_drawn;
+  std::vector<WorstFound> worst;             ///< of each gauge of the measure
+  std::vector<std::string> buckets_drawn{};  ///< of somebody's mistakes that drawn cases alone met
+};
+
+/// Runs the hunt until it is done or somebody asks to stop; saves as a campaign does.
+Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to,
+              const Origin& origin, const OnHuntProgress& on_progress);
+
+}  // namespace manifuzz

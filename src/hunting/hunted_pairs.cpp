@@ -1,0 +1,297 @@
+#include "hunting/hunted_pairs.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "generating/drafts.hpp"
+#include "hunting/moves.hpp"
+
+namespace manifuzz {
+namespace {
+
+/// A generation is a share of the cases before it: short ones learn faster, and each has a start to
+/// pay for, which grows with the archive.
+constexpr CaseNumber kShortestGeneration = 512;
+constexpr CaseNumber kShareOfCases = 64;
+
+/// Parents are the newest of so many.
+constexpr std::size_t kNewest = 2000;
+/// So many of each gauge's greatest are parents of the source `worst`.
+constexpr std::size_t kElite = 64;
+
+/// How much a generation weighs beside the next one.
+constexpr double kFading = 0.8;
+
+void renumber_by_chance(Random& random, PairCase& pair) {
+  for (const Side side : {Side::a, Side::b}) {
+    for (int i = random.integer(0, pair[side].polygon.count - 1); i > 0; --i) {
+      renumber(pair[side].polygon);
+    }
+  }
+}
+
+/// What becomes of a case by up to four moves, or nothing where they leave no valid one.
+std::optional<PairCase> bred(Random& random, const PairCase& parent, const PairCase& mate,
+                             double share_of_numbers) {
+  const auto any_of = [&](std::span<const Move> moves) {
+    return moves[static_cast<std::size_t>(random.integer(0, static_cast<int>(moves.size()) - 1))];
+  };
+  PairCase child = parent;
+  int more = 1;
+  while (more < 4 && random.chance(0.5)) ++more;
+  for (; more > 0; --more) {
+    const double kind = random.unit();
+    const double rest = (kind - share_of_numbers) / (1 - share_of_numbers);
+    const Move move = any_of(kind < share_of_numbers ? moves_of_numbers()
+                             : rest < 0.45           ? moves_of_shapes()
+                                                     : moves_of_places());
+    move.make(random, child, mate);
+  }
+  // Which number a face has is nobody's condition but its own.
+  if (random.chance(0.25)) renumber_by_chance(random, child);
+  return revalidated(child);
+}
+
+/// Whether the shapes have sizes and places that somebody may use: 2^-24 to 2^24, and up to 2^30 from
+/// the origin. Beyond, engines' own absolute lengths are all that is found.
+bool is_in_use(const PairCase& pair) {
+  constexpr double least = 0x1p-24;
+  constexpr double most = 0x1p24;
+  constexpr double farthest = 0x1p30;
+  return std::ranges::all_of(std::array{&pair.a, &pair.b}, [&](const Body* body) {
+    const double across = size(body->polygon);
+    const double away = body->pose.position.cast<double>().norm();
+    return across >= least && across <= most && away <= farthest &&
+           static_cast<double>(body->polygon.radius) <= most;
+  });
+}
+
+/// Every number of a case that the tally tells of.
+std::set<CaseNumber> numbers_in(const Tally& tally) {
+  std::set<CaseNumber> numbers;
+  for (const BucketTallies::Met& met : tally.buckets.all()) {
+    numbers.insert({met.tally->first, met.tally->worst});
+    numbers.insert(met.tally->worst_of.begin(), met.tally->worst_of.end());
+  }
+  for (const LeastCases& least : tally.first_wrong) {
+    numbers.insert(least.all().begin(), least.all().end());
+  }
+  return numbers;
+}
+
+}  // namespace
+
+HuntedPairs::HuntedPairs(Breed breed, const Plan& plan)
+    : breed_(std::move(breed)),
+      seed_(plan.seed),
+      context_(plan.context),
+      observations_(kLongestGeneration + breed_.founders.size()) {}
+
+std::string HuntedPairs::options_again(const Plan& plan, CaseNumber number) const {
+  return fmt::format(" --seed {} --cases {}", plan.seed, number + 1);
+}
+
+PairCase HuntedPairs::pair(const Plan&, CaseNumber number) const {
+  const auto kept = kept_.find(number);
+  if (kept != kept_.end()) return kept->second;
+  if (number < breed_.founders.size()) return breed_.founders[number];
+  return number >= begin_ && number - begin_ < births_.size() ? born(number) : drawn(number);
+}
+
+PairCase HuntedPairs::drawn(CaseNumber number) const {
+  const std::size_t regimes = breed_.regimes.size();
+  return generate(seed_, *breed_.regimes[number % regimes], number / regimes, context_);
+}
+
+PairCase HuntedPairs::born(CaseNumber number) const {
+  const Birth& birth = births_[number - begin_];
+  if (birth.source == Source::drawn) return drawn(number);
+  Random random(seed_, kHunted.stream, number);
+  const PairCase& parent = archive_[birth.parent].pair;
+  const PairCase& mate = archive_[birth.mate].pair;
+  // The worst are climbed in small steps.
+  const double share = birth.source == Source::worst ? 0.7 : 0.25;
+  constexpr int attempts = 8;
+  for (int i = 0; i < attempts; ++i) {
+    std::optional<PairCase> child = bred(random, parent, mate, share);
+    if (!child || !is_in_use(*child)) continue;
+    put_radius(context_, *child);
+    if (is_taken(context_, *child)) return *child;
+  }
+  return drawn(number);
+}
+
+void HuntedPairs::learn(CaseNumber number, const JudgedPair& judged) const {
+  observations_[number - begin_] = observation_of(judged);
+  if (breed_.on_judged) breed_.on_judged(number, judged);
+}
+
+std::array<double, HuntedPairs::kSources> HuntedPairs::shares_of_sources() const {
+  // Each has enough to be seen when it does better; the rest goes where cells still fill.
+  std::array<double, kSources> shares{0, 0.08, 0.08, 0.08, 0.08, 0.08, 0.2};
+  if (archive_.is_empty()) return {0, 1, 0, 0, 0, 0, 0};
+  constexpr double rest = 0.4;
+  constexpr std::array filling{Source::drawn, Source::pair_cell, Source::label_cell,
+                               Source::kind_cell, Source::newest};
+  const auto yield_of = [&](Source source) {
+    const Yield& yield = yields_[static_cast<std::size_t>(source)];
+    return (yield.cells + 1) / (yield.cases + 1);
+  };
+  double all = 0;
+  for (const Source source : filling) all += yield_of(source);
+  for (const Source source : filling) {
+    shares[static_cast<std::size_t>(source)] += rest * yield_of(source) / all;
+  }
+  return shares;
+}
+
+EntryId HuntedPairs::in_rare_cell(Archive::Set set, Random& random) const {
+  const auto any_cell = [&]() -> const Archive::Cell& {
+    const auto count = static_cast<int>(archive_.cell_count(set));
+    return archive_.cell(set, static_cast<std::size_t>(random.integer(0, count - 1)));
+  };
+  constexpr int candidates = 4;
+  const Archive::Cell* rarest = &any_cell();
+  for (int i = 1; i < candidates; ++i) {
+    const Archive::Cell& cell = any_cell();
+    if (cell.visits < rarest->visits) rarest = &cell;
+  }
+  return rarest->entry;
+}
+
+EntryId HuntedPairs::less_used(std::span<const EntryId> entries, Random& random) const {
+  const auto any = [&] {
+    const auto last = static_cast<int>(entries.size()) - 1;
+    return entries[static_cast<std::size_t>(random.integer(0, last))];
+  };
+  const EntryId one = any();
+  const EntryId other = any();
+  return archive_[one].uses <= archive_[other].uses ? one : other;
+}
+
+EntryId HuntedPairs::parent_from(Source source, Random& random,
+                                 const std::vector<EntryId>& newest) const {
+  switch (source) {
+    case Source::label_cell:
+      return in_rare_cell(Archive::Set::labels, random);
+    case Source::kind_cell:
+      return in_rare_cell(Archive::Set::kinds, random);
+    case Source::newest:
+      if (newest.empty()) break;
+      return less_used(newest, random);
+    case Source::worst: {
+      std::vector<EntryId> elite;
+      const int gauge = random.integer(0, static_cast<int>(kGauges) - 1);
+      for (const auto& [value, entry] : elite_[static_cast<std::size_t>(gauge)]) {
+        elite.push_back(entry);
+      }
+      if (elite.empty()) break;
+      return less_used(elite, random);
+    }
+    default:
+      break;
+  }
+  return in_rare_cell(Archive::Set::pairs, random);
+}
+
+HuntedPairs::Birth HuntedPairs::birth_of(CaseNumber number,
+                                         const std::array<double, kSources>& shares,
+                                         const std::vector<EntryId>& newest) {
+  if (number < breed_.founders.size()) return {Source::founded};
+  Random random(seed_, "birth", number);
+  double place = random.unit();
+  std::size_t source = 0;
+  while (source + 1 < kSources && place >= shares[source]) place -= shares[source++];
+  Birth birth{static_cast<Source>(source)};
+  if (birth.source == Source::drawn || birth.source == Source::founded) return {Source::drawn};
+  birth.parent = parent_from(birth.source, random, newest);
+  birth.mate = parent_from(Source::pair_cell, random, newest);
+  ++archive_[birth.parent].uses;
+  archive_.hold(birth.parent);
+  archive_.hold(birth.mate);
+  return birth;
+}
+
+SharedQueue::Block HuntedPairs::begin_generation(CaseNumber most) {
+  begin_ += births_.size();
+  CaseNumber length = std::clamp(begin_ / kShareOfCases, kShortestGeneration, kLongestGeneration);
+  if (generations_ == 0) length += breed_.founders.size();
+  const std::array<double, kSources> shares = shares_of_sources();
+  const std::vector<EntryId> newest = archive_.newest(kNewest);
+  births_.clear();
+  length = std::min(length, most);
+  for (CaseNumber i = 0; i < length; ++i) births_.push_back(birth_of(begin_ + i, shares, newest));
+  std::ranges::fill(observations_.all(), Observation{});
+  ++generations_;
+  return {begin_, begin_ + births_.size()};
+}
+
+void HuntedPairs::keep_worst(CaseNumber number, const Observation& observed) {
+  for (std::size_t i = 0; i < kGauges; ++i) {
+    if (observed.gauges[i] > worst_[i].value) worst_[i] = {observed.gauges[i], number};
+  }
+}
+
+bool HuntedPairs::is_elite(Gauge gauge, const Observation& observed) const {
+  if (breed_.measure && measure_of(gauge) != *breed_.measure) return false;
+  const auto& elite = elite_[static_cast<std::size_t>(gauge)];
+  const double value = observed[gauge];
+  const bool is_enough = elite.size() < kElite || value > std::prev(elite.end())->first;
+  return value > 0 && is_enough && !elite.contains(value);
+}
+
+void HuntedPairs::keep_elite(Gauge gauge, const Observation& observed, EntryId entry) {
+  auto& elite = elite_[static_cast<std::size_t>(gauge)];
+  elite.emplace(observed[gauge], entry);
+  archive_.hold(entry);
+  if (elite.size() <= kElite) return;
+  const auto last = std::prev(elite.end());
+  archive_.let_go(last->second);
+  elite.erase(last);
+}
+
+void HuntedPairs::keep_cases_of(const Plan& plan, const Tally& tally) {
+  std::set<CaseNumber> numbers = numbers_in(tally);
+  for (const Worst& worst : worst_) {
+    if (worst.value > 0) numbers.insert(worst.number);
+  }
+  std::map<CaseNumber, PairCase> kept;
+  for (const CaseNumber number : numbers) kept.emplace(number, pair(plan, number));
+  kept_ = std::move(kept);
+}
+
+void HuntedPairs::end_generation(const Plan& plan, const Tally& tally) {
+  std::array<Yield, kSources> now{};
+  for (std::size_t i = 0; i < births_.size(); ++i) {
+    const Observation& observed = observations_[i];
+    if (!observed.is_there) continue;
+    Yield& yield = now[static_cast<std::size_t>(births_[i].source)];
+    ++yield.cases;
+    if (!observed.is_well_posed) continue;
+    const CaseNumber number = begin_ + i;
+    keep_worst(number, observed);
+    const double value = value_of(observed, breed_.measure);
+    Archive::Taken taken = archive_.add(observed, value, [&] { return pair(plan, number); });
+    yield.cells += taken.new_cells;
+    for (std::size_t k = 0; k < kGauges; ++k) {
+      const auto gauge = static_cast<Gauge>(k);
+      if (!is_elite(gauge, observed)) continue;
+      if (!taken.entry) taken.entry = archive_.put(pair(plan, number), value);
+      keep_elite(gauge, observed, *taken.entry);
+    }
+  }
+  for (std::size_t k = 0; k < kSources; ++k) {
+    yields_[k].cells = kFading * yields_[k].cells + now[k].cells;
+    yields_[k].cases = kFading * yields_[k].cases + now[k].cases;
+  }
+  keep_cases_of(plan, tally);
+  for (const Birth& birth : births_) {
+    if (birth.source == Source::drawn || birth.source == Source::founded) continue;
+    archive_.let_go(birth.parent);
+    archive_.let_go(birth.mate);
+  }
+}
+
+}  // namespace manifuzz

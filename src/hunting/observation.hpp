@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "campaign/pairs/pair_work.hpp"
+#include "hunting/conditions.hpp"
+
+namespace manifuzz {
+
+/// What a hunt looks for the greatest of.
+enum class Measure {
+  error,        ///< of the subject's wrong answers, a share of the size
+  bound_share,  ///< of right answers: the share of its bound that any of their errors takes
+  missed,       ///< depth of contacts and points that it missed, a share of the size
+};
+inline constexpr std::array<std::string_view, 3> kMeasureNames{"error", "bound_share", "missed"};
+
+/// A figure of a case of which the greatest are kept: the measures, the share of a bound once for
+/// each bound.
+enum class Gauge { error, missed, normal_share, position_share, depth_share };
+inline constexpr std::array<std::string_view, 5> kGaugeNames{
+    "error", "missed", "bound_share.normal", "bound_share.position", "bound_share.depth"};
+inline constexpr std::size_t kGauges = kGaugeNames.size();
+
+Measure measure_of(Gauge gauge);
+
+/// What became of a case: plain data, for shared memory.
+struct Observation {
+  bool is_there = false;       ///< it was run
+  bool is_well_posed = false;  ///< the separation bound is at most 5% of the size
+  Conditions conditions{};
+  std::array<double, kGauges> gauges{};
+  /// How near a missed contact is: as small as slab margin and lead are, between 0 and 1.
+  double nearness = 0;
+
+  double operator[](Gauge gauge) const { return gauges[static_cast<std::size_t>(gauge)]; }
+  double& operator[](Gauge gauge) { return gauges[static_cast<std::size_t>(gauge)]; }
+};
+
+Observation observation_of(const JudgedPair& judged);
+
+/// What a hunt keeps the greatest of in each cell; without a measure the error of a wrong answer,
+/// before that the share of a right one's bound.
+double value_of(const Observation& observed, const std::optional<Measure>& measure);
+
+}  // namespace manifuzz
