@@ -144,8 +144,8 @@ std::filesystem::path corpus_file(const std::filesystem::path& folder,
                                   const CorpusCase& corpus_case);
 
 /// The folders of a corpus that findings are saved in.
-inline constexpr std::array<std::string_view, 5> kCorpusFolders{"seeds", "ties", "defects",
-                                                                "regressions", "sequences"};
+inline constexpr std::array<std::string_view, 6> kCorpusFolders{
+    "seeds", "ties", "defects", "regressions", "sequences", "worst"};
 
 /// Writes the case there, whole or not at all; a file that has this pair as the same finding
 /// already stays as it is, whatever was noted in it since. Returns its path. Throws UserError.

@@ -8,12 +8,14 @@
 
 #include "base/text.hpp"
 #include "campaign/result.hpp"
+#include "cli/campaign_page.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
 #include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "engines/provenance.hpp"
 #include "hunting/hunt.hpp"
+#include "hunting/worst_cases.hpp"
 #include "report/campaign_text.hpp"
 #include "report/measurements/hunt_report.hpp"
 #include "report/outputs.hpp"
@@ -40,6 +42,7 @@ struct HuntArguments {
   std::optional<double> shrink_seconds;
   std::string today;
   std::string json;
+  std::string report;
   bool is_verbose = false;
 };
 
@@ -102,7 +105,8 @@ std::string repeating_hunt(const HuntArguments& options) {
 }
 
 CommandFiles files_of_hunt(const HuntArguments& options) {
-  CommandFiles files{{options.folders.saved(), {"--json", options.json}}, options.folders.all()};
+  CommandFiles files{{options.folders.saved(), {"--json", options.json}, {"--report", options.report}},
+                     options.folders.all()};
   for (const std::string& path : options.from) files.inputs.emplace_back(path);
   return files;
 }
@@ -121,11 +125,12 @@ int hunt(HuntArguments& options) {
                      .shrink_seconds = options.shrink_seconds.value_or(kShrinkSeconds)};
   const Origin origin{repeating_hunt(options),
                       provenance(plan.plan.seed, asked_by(plan.plan))};
-  const Hunt hunted = [&] {
+  Hunt hunted = [&] {
     const ProgressLine line;
     return run_hunt(plan, known, saved, origin,
                     [&](const HuntProgress& progress) { line.show(hunt_line(progress)); });
   }();
+  if (!saved.folder.empty()) keep_worst(hunted, saved.folder);
   const ShowAgain show{this_program(), options_to_show(options.colliders)};
   Outputs outputs;
   outputs.write(true, [&] {
@@ -134,6 +139,12 @@ int hunt(HuntArguments& options) {
                                                     : hunt_screen(hunted, show));
   });
   outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(json_of(hunted))); });
+  outputs.write(!options.report.empty(), [&] {
+    // Its summary as a campaign's: the page compares no cells.
+    write_data(options.report,
+               page_of_campaign(hunted.campaign, json_of(hunted.campaign.result),
+                                {options.colliders, options.folders, ""}));
+  });
   outputs.add_error(unwritten_in_words(hunted.campaign.saving));
   if (!outputs.are_written()) return 2;
   return has_failed(hunted.campaign.result) ? 1 : 0;
@@ -173,6 +184,8 @@ void add_hunt_arguments(CLI::App& app, HuntArguments& options) {
   app.add_flag("--verbose", options.is_verbose,
                "print tables of verdicts, causes and buckets in place of the short summary");
   add_json(app, options.json, "the summary");
+  add_text(app, "--report", options.report, "FILE.html",
+           "write an HTML page about what the hunt found and its corpus; - is stdout");
 }
 
 }  // namespace

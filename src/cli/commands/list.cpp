@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,8 @@
 #include "base/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
+#include "corpus/corpus.hpp"
+#include "corpus/corpus_folders.hpp"
 #include "engines/colliders.hpp"
 #include "engines/sequence_colliders.hpp"
 #include "report/outputs.hpp"
@@ -37,6 +40,24 @@ std::string list_colliders() {
          lines_of_colliders(sequence_colliders(), keeper_line);
 }
 
+/// The worst known case of each collider by each measure: what the files of the corpus and of the
+/// findings say.
+std::string list_worst() {
+  std::string lines;
+  for (const std::filesystem::path& folder : CorpusFolders{}.all()) {
+    const std::filesystem::path worst = folder / "worst";
+    if (!std::filesystem::is_directory(worst)) continue;
+    const Corpus known = read_corpus({&worst, 1});
+    for (const std::string& error : known.errors) write_complaint(error);
+    for (const CorpusCase& one : known.cases) {
+      const std::filesystem::path file(one.path);
+      lines += fmt::format("{:<17} {:<21} {} [{}]\n", file.parent_path().filename().string(),
+                           file.stem().string(), printable(one.note, 200), one.path);
+    }
+  }
+  return lines.empty() ? "none is known: manifuzz hunt finds some\n" : lines;
+}
+
 struct Catalogue {
   std::string_view name;
   std::string_view description;
@@ -50,7 +71,8 @@ constexpr Catalogue kCatalogues[] = {
     {"ledger", "known causes of wrong answers, with their places in the engines' sources",
      list_ledger},
     {"sweeps", "parameters that stress varies until a collider breaks", list_sweeps},
-    {"scenes", "scenes that the command scene runs", list_scenes}};
+    {"scenes", "scenes that the command scene runs", list_scenes},
+    {"worst", "the worst known case of each collider, by each measure of hunt", list_worst}};
 
 std::string list_catalogues() {
   std::string lines;
@@ -69,7 +91,7 @@ int list(const std::optional<std::string>& what) {
 void add_list_arguments(CLI::App& app, std::optional<std::string>& what) {
   app.add_option(
       "WHAT", what,
-      "colliders, regimes, motions, ledger, sweeps or scenes; default: print these names");
+      "colliders, regimes, motions, ledger, sweeps, scenes or worst; default: print these names");
 }
 
 }  // namespace

@@ -1,0 +1,176 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "engines/colliders.hpp"
+#include "hunting/hunt.hpp"
+#include "hunting/rare_bugs.hpp"
+#include "hunting/worst_cases.hpp"
+#include "own_colliders/own_colliders.hpp"
+#include "support/source_tree.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace manifuzz;
+using namespace manifuzz::test;
+
+namespace {
+
+HuntPlan plan_of(const Collider& subject, const Collider& oracle, std::uint64_t cases, int jobs) {
+  HuntPlan hunt;
+  Plan& plan = hunt.plan;
+  plan.subject = subject;
+  plan.oracle = oracle;
+  for (const Regime& regime : regimes()) plan.regimes.push_back(&regime);
+  plan.seed = 4;
+  plan.cases = cases;
+  plan.jobs = jobs;
+  return hunt;
+}
+
+Hunt run(const HuntPlan& plan, const SaveTo& save_to = {}) {
+  using Json = nlohmann::ordered_json;
+  const Origin nowhere{"manifuzz hunt", {{"machine", ""}, {"compiler", ""}, {"versions", Json::object()}}};
+  return run_hunt(plan, {}, save_to, nowhere, [](const HuntProgress&) {});
+}
+
+std::size_t index_of_bug(std::string_view name) {
+  std::size_t i = 0;
+  while (rare_bugs()[i].name != name) ++i;
+  return i;
+}
+
+/// The clip, its depths doubled and more where the bug is met.
+Collider with_rare_bug(std::string_view name) {
+  Collider collider = make_clip();
+  collider.declaration.name = "planted";
+  const std::size_t bug = index_of_bug(name);
+  collider.collide = [bug, clip = make_clip()](const PairCase& pair) {
+    Answer answer = clip.collide(pair);
+    if ((rare_bugs_met_by(exact::Truth(pair)) >> bug & 1) == 0) return answer;
+    if (auto* const manifold = std::get_if<Manifold<double>>(&answer)) {
+      for (ContactPoint<double>& point : manifold->points) point.depth += size(pair) / 4;
+    }
+    return answer;
+  };
+  return collider;
+}
+
+}  // namespace
+
+TEST_CASE("any number of jobs finds the same") {
+  const Hunt alone = run(plan_of(make_clip(), usual_oracle(), 6000, 1));
+  const Hunt shared = run(plan_of(make_clip(), usual_oracle(), 6000, 3));
+  CHECK(alone.generations == shared.generations);
+  CHECK(alone.cells == shared.cells);
+  CHECK(alone.cells_drawn == shared.cells_drawn);
+  CHECK(alone.campaign.result.verdicts == shared.campaign.result.verdicts);
+  REQUIRE(alone.worst.size() == shared.worst.size());
+  for (std::size_t i = 0; i < alone.worst.size(); ++i) {
+    CHECK(alone.worst[i].value == shared.worst[i].value);
+    CHECK(alone.worst[i].number == shared.worst[i].number);
+    CHECK(alone.worst[i].pair == shared.worst[i].pair);
+    CHECK(alone.worst[i].drawn == shared.worst[i].drawn);
+  }
+}
+
+TEST_CASE("a longer hunt begins as a shorter one, so that a case is there again by its number") {
+  const Hunt shorter = run(plan_of(make_clip(), make_clip(), 3000, 2));
+  HuntPlan longer = plan_of(make_clip(), make_clip(), 5000, 2);
+  std::vector<std::pair<CaseNumber, PairCase>> met;
+  longer.plan.jobs = 1;
+  const Hunt whole = run(longer);
+  for (const WorstFound& found : shorter.worst) {
+    if (!found.pair) continue;
+    for (const WorstFound& later : whole.worst) {
+      if (later.gauge == found.gauge) CHECK(later.value >= found.value);
+      if (later.gauge == found.gauge && later.number == found.number) CHECK(later.pair == found.pair);
+    }
+  }
+}
+
+TEST_CASE("a hunt fills more cells, and finds worse, than as many drawn cases") {
+  const Hunt hunt = run(plan_of(make_clip(), make_clip(), 30'000, 2));
+  CHECK(hunt.cells > *hunt.cells_drawn);
+  for (const WorstFound& found : hunt.worst) {
+    CAPTURE(name_of(found.gauge, kGaugeNames));
+    CHECK(found.value >= *found.drawn);
+    CHECK(found.value < 1);  // the clip is right, within its bounds
+  }
+}
+
+TEST_CASE("a bug that drawing meets once in a million cases is found, shrunk and saved") {
+  const TemporaryFolder folder;
+  HuntPlan plan = plan_of(with_rare_bug("deep_on_a_short_face"), make_clip(), 150'000, 2);
+  plan.compares = false;
+  Hunt hunt = run(plan, {.folder = folder.path().string(), .shrink_seconds = 30});
+  const Finding* found = nullptr;
+  for (const Finding& finding : hunt.campaign.findings) {
+    if (finding.bucket.fault == Fault::subject) found = &finding;
+  }
+  REQUIRE(found != nullptr);
+  CHECK(has_failed(hunt.campaign.result));
+  const CorpusCase saved = read_case_file(found->file);
+  CHECK(saved.found->regime == "hunt");
+  CHECK(rare_bugs_met_by(exact::Truth(saved.pair())) >> index_of_bug("deep_on_a_short_face") & 1);
+  keep_worst(hunt, folder.path());
+  const auto error = std::ranges::find(hunt.worst, Gauge::error, &WorstFound::gauge);
+  REQUIRE(error != hunt.worst.end());
+  CHECK(error->value > 0.2);
+  CHECK(std::filesystem::exists(worst_file(folder.path(), "planted", Gauge::error)));
+  CHECK(error->file == worst_file(folder.path(), "planted", Gauge::error).string());
+}
+
+TEST_CASE("cases to begin with are the first, and are bred from") {
+  HuntPlan plan = plan_of(make_clip(), make_clip(), 2000, 1);
+  plan.compares = false;
+  for (std::uint64_t i = 0; i < 10; ++i) {
+    plan.founders.push_back(generate(77, *find_regime("sliver"), i));
+  }
+  std::vector<CaseNumber> met;
+  const Shared<std::array<std::uint64_t, 10>> seen;
+  plan.on_hunted = [&](CaseNumber number, const JudgedPair& judged) {
+    if (number < 10 && judged.truth->pair() == plan.founders[number]) ++(*seen)[number];
+  };
+  run(plan);
+  for (const std::uint64_t count : *seen) CHECK(count == 1);
+}
+
+TEST_CASE("what a hunt looks for the worst of is all that it keeps the worst of") {
+  HuntPlan plan = plan_of(make_clip(), make_clip(), 2000, 1);
+  plan.measure = Measure::bound_share;
+  const Hunt hunt = run(plan);
+  CHECK(hunt.worst.size() == 3);
+  for (const WorstFound& found : hunt.worst) CHECK(measure_of(found.gauge) == Measure::bound_share);
+}
+
+TEST_CASE("each bug that is planted to be rare is met by a case that is well posed") {
+  // Drawing meets all but these in 100,000 cases a regime; a hunt of 10^6 met each of them.
+  std::uint64_t met = 0;
+  for (const Regime& regime : regimes()) {
+    for (std::uint64_t index = 0; index < 3000; ++index) {
+      met |= rare_bugs_met_by(exact::Truth(generate(8, regime, index)));
+    }
+  }
+  CHECK(met != 0);
+}
+
+TEST_CASE("what the files of the worst cases say is so") {
+  Interruption interruption;
+  std::size_t compared = 0;
+  const std::filesystem::path worst = source_dir() / "corpus" / "worst";
+  for (const ColliderEntry& entry : colliders()) {
+    if (!std::filesystem::is_directory(worst / entry.name)) continue;
+    const Collider collider = entry.make();
+    for (std::size_t k = 0; k < kGauges; ++k) {
+      const auto gauge = static_cast<Gauge>(k);
+      const auto file = worst_file(source_dir() / "corpus", collider.declaration.name, gauge);
+      if (!std::filesystem::exists(file)) continue;
+      CAPTURE(file);
+      const CorpusCase known = read_case_file(file.string());
+      const auto observed = observed_now(collider, known.pair(), interruption);
+      REQUIRE(observed);
+      CHECK(known.note == note_of_worst(gauge, (*observed)[gauge]));
+      ++compared;
+    }
+  }
+  CHECK(compared > 0);
+}
