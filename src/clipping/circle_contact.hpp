@@ -82,31 +82,35 @@ bool is_past_second_end(const ConvexPolygon<Scalar>& core, int face_index,
   return along_face(core, face_index).dot(point - core.vertices[face_index]) > 0;
 }
 
-/// The vertex where a point past an end of a face is nearest to a core; nothing where it is not
-/// past an end, or by so little that rounding hides it.
+/// The vertex at which a walk ends from the end of a face that a point is past, each step to a
+/// neighbour that is nearer; the face itself has none where the point is before it. Where corners are
+/// nearly flat rounding may call a face the farthest that the point is far past.
 template <class Scalar>
-std::optional<int> nearest_end(const ConvexPolygon<Scalar>& core, int face_index,
+std::optional<int> end_of_walk(const ConvexPolygon<Scalar>& core, int face_index,
                                const Vector2<Scalar>& point) {
   if (is_before_face(core, face_index, point)) return std::nullopt;
-  const bool is_second = is_past_second_end(core, face_index, point);
-  const int end = is_second ? core.next(face_index) : face_index;
-  if (!is_normal_at<Scalar>(core, end, point - core.vertices[end])) return std::nullopt;
+  int end = is_past_second_end(core, face_index, point) ? core.next(face_index) : face_index;
+  for (int steps = 0; steps < core.count; ++steps) {
+    const int nearer = nearer_vertex<Scalar>(core, end, point - core.vertices[end]);
+    if (nearer == end) break;
+    end = nearer;
+  }
   return end;
 }
 
-/// The face of greatest separation from a point outside or, where the point is past an end of it
-/// and before the face beside, that one: only rounding called the other farther. A face that the
-/// point lies behind has its end there too where a corner is sharp, and is none.
+/// The face of greatest separation from a point outside or, where that is past an end of it and
+/// before a face beside the `end` of its walk, that one: only rounding called the other farther. A
+/// face that the point lies behind has its end there too where a corner is sharp, and is none.
 template <class Scalar>
 FaceSeparation<Scalar> face_before(const ConvexPolygon<Scalar>& core,
-                                   const FaceSeparation<Scalar>& greatest,
+                                   const FaceSeparation<Scalar>& greatest, std::optional<int> end,
                                    const Vector2<Scalar>& point) {
-  if (greatest.separation <= 0 || is_before_face(core, greatest.face, point)) return greatest;
-  const bool is_second = is_past_second_end(core, greatest.face, point);
-  const int beside = is_second ? core.next(greatest.face) : core.previous(greatest.face);
-  const Scalar separation = core.normals[beside].dot(point - core.vertices[beside]);
-  if (separation <= 0 || !is_before_face(core, beside, point)) return greatest;
-  return {beside, separation};
+  if (greatest.separation <= 0 || !end) return greatest;
+  for (const int beside : {*end, core.previous(*end)}) {
+    const Scalar separation = core.normals[beside].dot(point - core.vertices[beside]);
+    if (separation > 0 && is_before_face(core, beside, point)) return {beside, separation};
+  }
+  return greatest;
 }
 
 /// The manifold of a circle and of a core with faces, which is polygon `side`: the centre is
@@ -130,14 +134,15 @@ Manifold<Scalar> contact_of_circle(const ConvexPolygon<Scalar>& a, const ConvexP
     return one_point<Scalar>(a, b, {on_core, centre, apart, {place, vertex(0)}}, outward,
                              has_edge ? Side::a : Side::b);
   };
-  if (const auto end = nearest_end(core, found.face, centre)) {
+  const std::optional<int> end = end_of_walk(core, found.face, centre);
+  if (end && is_normal_at<Scalar>(core, *end, centre - core.vertices[*end])) {
     const Vector2<Scalar> apart = centre - core.vertices[*end];
     if (are_beyond<Scalar>(apart, a.radius + b.radius)) return {};
     if (const auto outward = direction_between(apart)) {
       return contact(core.vertices[*end], vertex(*end), apart, *outward);
     }
   }
-  const FaceSeparation<Scalar> before = face_before(core, found, centre);
+  const FaceSeparation<Scalar> before = face_before(core, found, end, centre);
   const Vector2<Scalar>& normal = core.normals[before.face];
   const Vector2<Scalar> apart = before.separation * normal;
   return contact(centre - apart, face(before.face), apart, normal);
