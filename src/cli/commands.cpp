@@ -101,7 +101,9 @@ std::span<const Command> commands() {
        "manifuzz fuzz --seed 1 --cases 200000 --share 1/2 --found run1 --json run1.json\n"
        "manifuzz merge run0 run1 run0.json run1.json --output all --json all.json",
        define_merge},
-      {"list", "List colliders, regimes, motions, known causes, sweeps, scenes or the worst cases, one a line.",
+      {"list",
+       "List colliders, regimes, motions, known causes, sweeps, scenes or the worst cases, one a "
+       "line.",
        "manifuzz list\nmanifuzz list colliders\nmanifuzz list regimes\nmanifuzz list "
        "motions\nmanifuzz list ledger\n"
        "manifuzz list sweeps\nmanifuzz list scenes\nmanifuzz list worst",

@@ -83,8 +83,8 @@ bool is_past_second_end(const ConvexPolygon<Scalar>& core, int face_index,
 }
 
 /// The vertex at which a walk ends from the end of a face that a point is past, each step to a
-/// neighbour that is nearer; the face itself has none where the point is before it. Where corners are
-/// nearly flat rounding may call a face the farthest that the point is far past.
+/// neighbour that is nearer; the face itself has none where the point is before it. Where corners
+/// are nearly flat rounding may call a face the farthest that the point is far past.
 template <class Scalar>
 std::optional<int> end_of_walk(const ConvexPolygon<Scalar>& core, int face_index,
                                const Vector2<Scalar>& point) {
@@ -96,6 +96,18 @@ std::optional<int> end_of_walk(const ConvexPolygon<Scalar>& core, int face_index
     end = nearer;
   }
   return end;
+}
+
+/// Whether a point is nearest to a vertex from outside: from there it lies among the vertex's
+/// normals. Behind the face of greatest separation it is inside where the corner is nearly flat, and
+/// past the tip of a needle else.
+template <class Scalar>
+bool is_outside_at(const ConvexPolygon<Scalar>& core, int corner, int greatest_face,
+                   const Vector2<Scalar>& point) {
+  const Vector2<Scalar> apart = point - core.vertices[corner];
+  return is_normal_at<Scalar>(core, corner, apart) &&
+         std::abs(along_face(core, greatest_face).dot(apart)) >
+             -core.normals[greatest_face].dot(apart);
 }
 
 /// The face of greatest separation from a point outside or, where that is past an end of it and
@@ -135,7 +147,7 @@ Manifold<Scalar> contact_of_circle(const ConvexPolygon<Scalar>& a, const ConvexP
                              has_edge ? Side::a : Side::b);
   };
   const std::optional<int> end = end_of_walk(core, found.face, centre);
-  if (end && is_normal_at<Scalar>(core, *end, centre - core.vertices[*end])) {
+  if (end && is_outside_at<Scalar>(core, *end, found.face, centre)) {
     const Vector2<Scalar> apart = centre - core.vertices[*end];
     if (are_beyond<Scalar>(apart, a.radius + b.radius)) return {};
     if (const auto outward = direction_between(apart)) {

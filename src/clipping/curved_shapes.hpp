@@ -42,7 +42,8 @@ std::optional<Vector2<Scalar>> direction_between(const Vector2<Scalar>& apart) {
 
 /// The unit normal from A to B on which the places are nearest: a face's own, or from vertex to
 /// vertex where that is among the normals of both; where rounding hides whether it is, that of the
-/// face which separates most. None where edges cross by so little that rounding hides where.
+/// face which separates most, if it is along that too. None where cores are so near that edges may
+/// cross, and rounding hides where.
 template <class Scalar>
 std::optional<Vector2<Scalar>> nearest_normal(const ConvexPolygon<Scalar>& a,
                                               const ConvexPolygon<Scalar>& b,
@@ -59,8 +60,10 @@ std::optional<Vector2<Scalar>> nearest_normal(const ConvexPolygon<Scalar>& a,
   const Vector2<Scalar> normal =
       is_of_a ? a.normals[of_a.face] : Vector2<Scalar>(-b.normals[of_b.face]);
   // Rounding turns a short line out of its vertices' normals, but its ends by no more than this.
-  if (std::abs(normal.dot(clockwise_quarter(nearest.apart))) > 2 * roundoff) return std::nullopt;
-  return normal;
+  const Scalar reach = 2 * roundoff;
+  if (std::abs(normal.dot(clockwise_quarter(nearest.apart))) <= reach) return normal;
+  const double wide = static_cast<double>(reach);
+  return squared_length(nearest.apart) > wide * wide ? direction : std::nullopt;
 }
 
 /// The edge that a shape gives at its nearest place: the face itself, or of the two edges at the

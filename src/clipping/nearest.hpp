@@ -117,6 +117,28 @@ bool is_before_face(const ConvexPolygon<Scalar>& polygon, int face_index,
          along.dot(polygon.vertices[polygon.next(face_index)] - point) > 0;
 }
 
+/// A vertex of polygon `side`'s opposing one in front of the inside of its face: the foot there,
+/// and the vertex.
+template <class Scalar>
+NearestPlaces<Scalar> before_face(const ConvexPolygon<Scalar>& polygon, Side side, int face_index,
+                                  const Vector2<Scalar>& corner, int corner_index) {
+  const Vector2<Scalar>& normal = polygon.normals[face_index];
+  const Vector2<Scalar> out = normal.dot(corner - polygon.vertices[face_index]) * normal;
+  const Vector2<Scalar> foot = corner - out;
+  const Feature of_face = face(face_index);
+  if (side == Side::a) return {foot, corner, out, {of_face, vertex(corner_index)}};
+  return {corner, foot, -out, {vertex(corner_index), of_face}};
+}
+
+/// Whether one of a vertex's edges faces along a direction. None does where only rounding, of a
+/// shape that is thinner, puts a vertex of the far side among the near ones.
+template <class Scalar>
+bool has_edge_along(const ConvexPolygon<Scalar>& polygon, int corner,
+                    const Vector2<Scalar>& direction) {
+  return polygon.normals[corner].dot(direction) >= 0 ||
+         polygon.normals[polygon.previous(corner)].dot(direction) >= 0;
+}
+
 /// A vertex of `opposing` that lies in front of the inside of a face of polygon `side`, as near to
 /// it as any but for `roundoff`, a length; nothing where there is none.
 template <class Scalar>
@@ -125,18 +147,44 @@ std::optional<NearestPlaces<Scalar>> places_at_face(const ConvexPolygon<Scalar>&
                                                     const ConvexPolygon<Scalar>& opposing,
                                                     Scalar roundoff) {
   const Vector2<Scalar>& normal = polygon.normals[found.face];
+  std::optional<int> of_far_side;
   for (int j = 0; j < opposing.count; ++j) {
     const Vector2<Scalar>& corner = opposing.vertices[j];
     const Scalar separation = normal.dot(corner - polygon.vertices[found.face]);
     if (separation > found.separation + roundoff) continue;
     if (!is_before_face(polygon, found.face, corner)) continue;
-    const Vector2<Scalar> out = separation * normal;
-    const Vector2<Scalar> foot = corner - out;
-    const Feature of_face = face(found.face);
-    if (side == Side::a) return NearestPlaces<Scalar>{foot, corner, out, {of_face, vertex(j)}};
-    return NearestPlaces<Scalar>{corner, foot, -out, {vertex(j), of_face}};
+    if (opposing.count > 1 && !has_edge_along<Scalar>(opposing, j, -normal)) {
+      if (!of_far_side) of_far_side = j;
+      continue;
+    }
+    return before_face<Scalar>(polygon, side, found.face, corner, j);
   }
-  return std::nullopt;
+  if (!of_far_side) return std::nullopt;
+  return before_face<Scalar>(polygon, side, found.face, opposing.vertices[*of_far_side],
+                             *of_far_side);
+}
+
+/// The face of greatest separation, of those that separate by `least` or more, a length, that has
+/// its nearest vertex in front of it. Beside corners that are nearly flat rounding may call another
+/// face the farthest, which has none.
+template <class Scalar>
+std::optional<NearestPlaces<Scalar>> places_at_any_face(const ConvexPolygon<Scalar>& a,
+                                                        const ConvexPolygon<Scalar>& b,
+                                                        Scalar least, Scalar roundoff) {
+  std::optional<NearestPlaces<Scalar>> nearest;
+  for (const Side side : {Side::a, Side::b}) {
+    const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
+    const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
+    for (int i = 0; i < polygon.face_count(); ++i) {
+      const FaceSeparation<Scalar> found = face_separation(polygon, i, opposing);
+      if (least > found.separation) continue;
+      const auto places = places_at_face(polygon, side, found, opposing, roundoff);
+      if (!places) continue;
+      least = found.separation;
+      nearest = places;
+    }
+  }
+  return nearest;
 }
 
 /// Where two cores are nearest that do not overlap by more than `roundoff`, a length. A face with
@@ -158,7 +206,10 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
   }
   const NearestPlaces<Scalar> places = a_first ? walk_nearer(a, of_a.face, b, of_a.deepest)
                                                : walk_nearer(a, of_b.deepest, b, of_b.face);
-  return are_nearest(a, b, places) ? places : nearest_vertices(a, b);
+  if (are_nearest(a, b, places)) return places;
+  const Scalar greatest = std::max(of_a.separation, of_b.separation);
+  const auto at_face = places_at_any_face<Scalar>(a, b, greatest - roundoff, roundoff);
+  return at_face ? *at_face : nearest_vertices(a, b);
 }
 
 /// The square of how near the outlines of two cores are, whether these overlap or not.

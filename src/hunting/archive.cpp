@@ -29,7 +29,8 @@ std::uint64_t key_of(std::span<const Condition> labels, const Conditions& condit
 
 Archive::Archive() : pair_cells_(kPairs * kBinsOfPair) {}
 
-std::uint32_t Archive::find_won(const Observation& observed, double value, std::vector<Cell*>& won) {
+std::uint32_t Archive::find_won(const Observation& observed, double value,
+                                std::vector<Cell*>& won) {
   std::uint32_t new_cells = 0;
   const auto& bins = observed.conditions.all();
   std::size_t begin = 0;

@@ -14,9 +14,10 @@ namespace manifuzz {
 /// A place in an archive's list of cases; who is freed gives it to another.
 using EntryId = std::uint32_t;
 
-/// Sets of cells that share their cases: a cell for each pair of conditions with their bins, and one
-/// for each tuple of labels with a bin of depth, tilt or margin, once of all labels and once without
-/// the numbers of face and edge. Each holds the case of the greatest value, the first of equals.
+/// Sets of cells that share their cases: a cell for each pair of conditions with their bins, and
+/// one for each tuple of labels with a bin of depth, tilt or margin, once of all labels and once
+/// without the numbers of face and edge. Each holds the case of the greatest value, the first of
+/// equals.
 class Archive {
  public:
   struct Entry {

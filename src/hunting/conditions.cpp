@@ -16,7 +16,8 @@ constexpr std::array kPowersOfTen{
 
 constexpr int kPowerOfOne = 20;  ///< where 1 stands
 
-// Where the decades of each figure begin: shares of roundoff are told apart, sizes both ways from 1.
+// Where the decades of each figure begin: shares of roundoff are told apart, sizes both ways
+// from 1.
 constexpr int kOfShare = -10;
 constexpr int kOfRatio = -7;
 constexpr int kOfDistance = -2;
@@ -51,7 +52,8 @@ std::uint8_t aspect_bin(const ConvexPolygon<float>& shape) {
 }
 
 std::uint8_t radius_bin(const ConvexPolygon<float>& shape) {
-  const double core = size(shape) - (shape.is_round() ? 2.0 * static_cast<double>(shape.radius) : 0);
+  const double core =
+      size(shape) - (shape.is_round() ? 2.0 * static_cast<double>(shape.radius) : 0);
   if (shape.count == 1) return kBins - 1;
   return decade(static_cast<double>(shape.radius) / core, kOfRatio);
 }

@@ -43,13 +43,34 @@ enum class Condition : unsigned char {
   turn_of_a,         ///< how far its rotation is from a multiple of 45 degrees
   turn_of_b,         ///< how far its rotation is from a multiple of 45 degrees
 };
-inline constexpr std::array<std::string_view, 28> kConditionNames{
-    "count_a",          "count_b",         "corners",      "reference_side", "reference_face",
-    "incident_edge",    "points",          "cuts",         "tilt",           "lead_in_side",
-    "lead_of_side",     "slab_margin",     "crossing",     "gap",            "depth",
-    "size_ratio",       "radius_ratio",    "radius_of_a",  "radius_of_b",    "reference_length",
-    "incident_length",  "length_ratio",    "aspect_of_a",  "aspect_of_b",    "distance",
-    "scale",            "turn_of_a",       "turn_of_b"};
+inline constexpr std::array<std::string_view, 28> kConditionNames{"count_a",
+                                                                  "count_b",
+                                                                  "corners",
+                                                                  "reference_side",
+                                                                  "reference_face",
+                                                                  "incident_edge",
+                                                                  "points",
+                                                                  "cuts",
+                                                                  "tilt",
+                                                                  "lead_in_side",
+                                                                  "lead_of_side",
+                                                                  "slab_margin",
+                                                                  "crossing",
+                                                                  "gap",
+                                                                  "depth",
+                                                                  "size_ratio",
+                                                                  "radius_ratio",
+                                                                  "radius_of_a",
+                                                                  "radius_of_b",
+                                                                  "reference_length",
+                                                                  "incident_length",
+                                                                  "length_ratio",
+                                                                  "aspect_of_a",
+                                                                  "aspect_of_b",
+                                                                  "distance",
+                                                                  "scale",
+                                                                  "turn_of_a",
+                                                                  "turn_of_b"};
 inline constexpr std::size_t kConditions = kConditionNames.size();
 
 inline constexpr int kBins = 16;

@@ -126,8 +126,7 @@ class Hunting {
                       Interruption& interruption) {
     Plan part = plan;  // with the time that is left
     if (plan.seconds) part.seconds = *plan.seconds - all.seconds - drawn_all_.seconds;
-    return run_jobs(part, cases, interruption,
-                    [&](const Progress& so_far) { show(so_far, all); });
+    return run_jobs(part, cases, interruption, [&](const Progress& so_far) { show(so_far, all); });
   }
 
   void run_drawn(SharedQueue::Block cases, JobsResult& all, Interruption& interruption) {
@@ -164,8 +163,8 @@ class Hunting {
 
 }  // namespace
 
-Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to,
-              const Origin& origin, const OnHuntProgress& on_progress) {
+Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to, const Origin& origin,
+              const OnHuntProgress& on_progress) {
   Hunting hunting(hunt, on_progress);
   const auto on_saving = [&](const Progress& progress) {
     on_progress({.plan = hunting.plan(), .cases = progress, .cells = 0, .cells_drawn = {}});

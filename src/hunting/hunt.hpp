@@ -35,9 +35,9 @@ struct HuntProgress {
   Progress cases;
   std::size_t cells = 0;
   std::optional<std::size_t> cells_drawn;
-  double worst = 0;                 ///< of the first measure that has any
-  Gauge worst_of = Gauge::error;    ///< which that is
-  std::size_t behaviours = 0;       ///< buckets that were met
+  double worst = 0;               ///< of the first measure that has any
+  Gauge worst_of = Gauge::error;  ///< which that is
+  std::size_t behaviours = 0;     ///< buckets that were met
 };
 using OnHuntProgress = std::function<void(const HuntProgress&)>;
 
@@ -52,7 +52,7 @@ struct Hunt {
 };
 
 /// Runs the hunt until it is done or somebody asks to stop; saves as a campaign does.
-Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to,
-              const Origin& origin, const OnHuntProgress& on_progress);
+Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to, const Origin& origin,
+              const OnHuntProgress& on_progress);
 
 }  // namespace manifuzz

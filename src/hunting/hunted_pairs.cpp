@@ -54,8 +54,8 @@ std::optional<PairCase> bred(Random& random, const PairCase& parent, const PairC
   return revalidated(child);
 }
 
-/// Whether the shapes have sizes and places that somebody may use: 2^-24 to 2^24, and up to 2^30 from
-/// the origin. Beyond, engines' own absolute lengths are all that is found.
+/// Whether the shapes have sizes and places that somebody may use: 2^-24 to 2^24, and up to 2^30
+/// from the origin. Beyond, engines' own absolute lengths are all that is found.
 bool is_in_use(const PairCase& pair) {
   constexpr double least = 0x1p-24;
   constexpr double most = 0x1p24;

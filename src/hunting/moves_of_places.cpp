@@ -184,8 +184,8 @@ void reframe_shape(Random& random, PairCase& pair, const PairCase&) {
   move_by(body, rotate<double>(body.pose.rotation.cast<double>(), by.cast<double>()));
 }
 
-/// One shape after the other, or the mate's after itself: turned by half a turn and scaled by a power
-/// of two, so that each of its faces is exactly parallel to one of the other's.
+/// One shape after the other, or the mate's after itself: turned by half a turn and scaled by a
+/// power of two, so that each of its faces is exactly parallel to one of the other's.
 void reflect_shape(Random& random, PairCase& pair, const PairCase& mate) {
   const Side side = any_side(random);
   const Body& model = random.chance(0.5) ? pair[other(side)] : mate[any_side(random)];

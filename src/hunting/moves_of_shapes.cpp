@@ -35,8 +35,9 @@ void add_vertex(Random& random, PairCase& pair, const PairCase&) {
   const Vector2<double> along = edge(shape, i);
   const double share = random.uniform(0.1, 0.9);
   const double out = power_of_two(random.integer(-20, -1));
-  insert_after(shape, i,
-               shape.vertices[i].cast<double>() + share * along - out * counter_clockwise_quarter(along));
+  insert_after(
+      shape, i,
+      shape.vertices[i].cast<double>() + share * along - out * counter_clockwise_quarter(along));
 }
 
 /// A corner cut by 2^-20 to a half of both its faces.
@@ -70,8 +71,7 @@ void flatten_a_corner(Random& random, PairCase& pair, const PairCase&) {
   const Vector2<double> at = shape.vertices[i].cast<double>() - from;
   const Vector2<double> on_line = at.dot(across) / across.dot(across) * across;
   const double out = power_of_two(random.integer(-23, -4));
-  shape.vertices[i] =
-      (from + on_line - out * counter_clockwise_quarter(across)).cast<float>();
+  shape.vertices[i] = (from + on_line - out * counter_clockwise_quarter(across)).cast<float>();
 }
 
 void scale_shape(Body& body, const Vector2<double>& by) {
@@ -157,11 +157,16 @@ void renumber_shape(Random& random, PairCase& pair, const PairCase&) {
 }
 
 constexpr Move kMovesOfShapes[] = {
-    {"add_vertex", add_vertex}, {"cut_corner", cut_a_corner},
-    {"remove_vertex", remove_any_vertex}, {"flatten", flatten_a_corner},
-    {"stretch", stretch},       {"faces_alike", make_faces_alike},
-    {"scale", scale},           {"radius", change_radius},
-    {"kind", change_kind},      {"renumber", renumber_shape},
+    {"add_vertex", add_vertex},
+    {"cut_corner", cut_a_corner},
+    {"remove_vertex", remove_any_vertex},
+    {"flatten", flatten_a_corner},
+    {"stretch", stretch},
+    {"faces_alike", make_faces_alike},
+    {"scale", scale},
+    {"radius", change_radius},
+    {"kind", change_kind},
+    {"renumber", renumber_shape},
 };
 
 }  // namespace

@@ -31,11 +31,11 @@ void keep(WorstFound& found, const Plan& plan, const std::filesystem::path& corp
   if (found.value > kept_value(file, found.gauge, plan.subject, interruption)) {
     CorpusCase saved;
     saved.any = *found.pair;
-    saved.found = Found{.seed = plan.seed,
-                        .regime = std::string(kHunted.name),
-                        .index = found.number,
-                        .versions = {{plan.subject.declaration.name,
-                                      plan.subject.declaration.version}}};
+    saved.found =
+        Found{.seed = plan.seed,
+              .regime = std::string(kHunted.name),
+              .index = found.number,
+              .versions = {{plan.subject.declaration.name, plan.subject.declaration.version}}};
     saved.note = note_of_worst(found.gauge, found.value);
     std::filesystem::create_directories(file.parent_path());
     write_file(file, format_case(saved));

@@ -59,9 +59,11 @@ HWY_INLINE void take_end(D d, const Strip<D>& s, int core, const LaneCorner<D>& 
   const auto is_end = hn::And(is_past, is_normal_at(d, end, apart));
   const auto is_short = hn::Le(direction.length, hn::Set(d, kShortest<hn::TFromD<D>>));
   const auto is_outside = hn::Gt(place.distance, zero);
-  // Past a face in front of which it is, and yet not at its end: the face beside may have it.
-  place.is_rare =
-      hn::Or(hn::And(is_end, is_short), hn::AndNot(is_end, hn::And(is_past, is_outside)));
+  // Past a face in front of which it is, and yet not at its end: the face beside may have it. At an
+  // end and behind the face it may be inside.
+  const auto is_behind = hn::Lt(dot(face.normal, apart), zero);
+  place.is_rare = hn::Or(hn::And(is_end, hn::Or(is_short, is_behind)),
+                         hn::AndNot(is_end, hn::And(is_past, is_outside)));
   place.is_far = hn::Or(place.is_far, hn::And(is_end, hn::Gt(direction.is_beyond, zero)));
   place.on_core = select<D>(is_end, end.vertex, place.on_core);
   place.apart = select<D>(is_end, apart, place.apart);

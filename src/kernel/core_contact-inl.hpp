@@ -109,10 +109,11 @@ HWY_INLINE void order_points(D d, hn::Mask<D> reference_is_b, hn::Mask<D> has_bo
 }
 
 /// Where cores are nearest (`clipping::nearest_contact`); `among` are the lanes that may touch.
+/// Lanes whose vertex before a face has no edge that faces it become unsure.
 template <class D>
 HWY_INLINE void nearest_contact(D d, const Strip<D>& s, const LaneNearest<D>& nearest,
                                 hn::Vec<D> roundoff, hn::Vec<D> total_radius, hn::Mask<D> among,
-                                LaneManifolds<D>& m) {
+                                LaneManifolds<D>& m, hn::Mask<D>& is_unsure) {
   const DInt<D> di;
   const auto zero = hn::Zero(d);
   const auto separation = dot(nearest.normal, nearest.apart);
@@ -121,7 +122,10 @@ HWY_INLINE void nearest_contact(D d, const Strip<D>& s, const LaneNearest<D>& ne
   const GivenEdge<D> b =
       given_edge(nearest.corner[1], nearest.face_of[1], opposite(nearest.normal));
   const auto has_a = hn::Ge(a.flatness, zero);
-  const auto has_both = hn::And(has_a, hn::Ge(b.flatness, zero));
+  const auto has_b = hn::Ge(b.flatness, zero);
+  const auto has_both = hn::And(has_a, has_b);
+  is_unsure = hn::Or(is_unsure, hn::Or(hn::AndNot(has_b, nearest.face_of[0]),
+                                       hn::AndNot(has_a, nearest.face_of[1])));
   const auto take_b = hn::Or(hn::Not(has_a), hn::And(has_both, hn::Gt(b.flatness, a.flatness)));
   const auto take_b_int = hn::RebindMask(di, take_b);
   const auto kinds = [&](int p, int bit) {
@@ -231,9 +235,10 @@ HWY_INLINE void collide_cores(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
     hn::Store(gap, d, out.depth[0].column + s.column);
     return;
   }
-  left = hn::Or(left, hn::And(hn::AndNot(is_deep, touching), nearest.is_unsure));
   LaneManifolds<D> m;
-  nearest_contact(d, s, nearest, roundoff, total_radius, hn::AndNot(is_deep, touching), m);
+  const auto is_near = hn::AndNot(is_deep, touching);
+  nearest_contact(d, s, nearest, roundoff, total_radius, is_near, m, nearest.is_unsure);
+  left = hn::Or(left, hn::And(is_near, nearest.is_unsure));
   if (HWY_UNLIKELY(!hn::AllFalse(d, overlaps))) {
     LaneManifolds<D> clipped;
     auto is_unsure = overlaps;

@@ -109,18 +109,19 @@ constexpr RareBug kRareBugs[] = {
      [](const BugView& v) {
        return v.has_counts(7, 5) && v.reference.side == Side::a && v.are_both_cut();
      }},
-    {"barely_in_and_deep", "one end within 1e-8 of a side plane, the other cut at over a third", true,
+    {"barely_in_and_deep", "one end within 1e-8 of a side plane, the other cut at over a third",
+     true,
      [](const BugView& v) {
        return v.has_counts(5, 6) && v.is_one_cut() && margin(v) < 1e-8 && crossing(v) > 1.0 / 3;
      }},
-    {"plane_beside_long_edge", "an octagon's edge, an end within 1e-6 of a plane, 100 times as long",
-     true,
+    {"plane_beside_long_edge",
+     "an octagon's edge, an end within 1e-6 of a plane, 100 times as long", true,
      [](const BugView& v) {
        return margin(v) < 1e-6 && incident_over_reference(v) > 100 &&
               v.shape(other(v.reference.side)).count == 8;
      }},
-    {"octagons_last_face", "octagons, B's last face, A's first edge, one end cut, tilted below 1e-3",
-     true,
+    {"octagons_last_face",
+     "octagons, B's last face, A's first edge, one end cut, tilted below 1e-3", true,
      [](const BugView& v) {
        return v.has_counts(8, 8) && v.reference == exact::FaceOf{Side::b, 7} &&
               v.clip->incident == 0 && v.is_one_cut() && v.clip->tangent < 1e-3;
@@ -130,7 +131,8 @@ constexpr RareBug kRareBugs[] = {
        return v.has_counts(3, 8) && v.reference == exact::FaceOf{Side::a, 2} &&
               v.clip->incident == 7 && v.are_both_cut();
      }},
-    {"eighth_turn", "B, a heptagon, turned by exactly 45 degrees, A not, one end cut, B's face", true,
+    {"eighth_turn", "B, a heptagon, turned by exactly 45 degrees, A not, one end cut, B's face",
+     true,
      [](const BugView& v) {
        return is_turned_by_an_eighth(v.pair.b) && v.shape(Side::b).count == 7 &&
               !is_turned_by_an_eighth(v.pair.a) && !is_turned_by_quarters(v.pair.a) &&
@@ -142,8 +144,8 @@ constexpr RareBug kRareBugs[] = {
        return off > 1e-7 && off < 1e-6 && v.clip->tangent > 0.1 &&
               v.shape(Side::a).count != v.shape(Side::b).count;
      }},
-    {"absolute_length", "deeper than a tenth of the size, and shallower than 2e-7, of 6 and 5 faces",
-     true,
+    {"absolute_length",
+     "deeper than a tenth of the size, and shallower than 2e-7, of 6 and 5 faces", true,
      [](const BugView& v) {
        return v.has_counts(6, 5) && v.depth > 0.1 * v.size && v.depth < 2e-7;
      }},
@@ -153,7 +155,8 @@ constexpr RareBug kRareBugs[] = {
               !is_whole(v.pair.a.pose.position.x()) && !is_turned_by_quarters(v.pair.a) &&
               !is_turned_by_quarters(v.pair.b);
      }},
-    {"vertex_equals_position", "A's first x is B's position's, no whole number, B of 6 or more", true,
+    {"vertex_equals_position", "A's first x is B's position's, no whole number, B of 6 or more",
+     true,
      [](const BugView& v) {
        const float x = v.shape(Side::a).vertices[0].x();
        return x == v.pair.b.pose.position.x() && !is_whole(2 * x) && v.shape(Side::b).count >= 6;
@@ -176,7 +179,8 @@ constexpr RareBug kRareBugs[] = {
        const double lead = v.truth.separation(v.reference) - second;
        return lead > 0 && lead < 1e-9 * v.size;
      }},
-    {"indices_wrap", "the last face of a hexagon of A, the last edge of a heptagon, both ends cut", true,
+    {"indices_wrap", "the last face of a hexagon of A, the last edge of a heptagon, both ends cut",
+     true,
      [](const BugView& v) {
        return v.has_counts(6, 7) && v.reference == exact::FaceOf{Side::a, 5} &&
               v.clip->incident == 6 && v.are_both_cut();
@@ -186,13 +190,15 @@ constexpr RareBug kRareBugs[] = {
        return v.clip->tangent > 1e-7 && v.clip->tangent < 1e-6 && v.is_one_cut() &&
               v.shape(Side::b).count >= 3 && aspect(v.shape(Side::b)) < 0.01;
      }},
-    {"sides_nearly_tie", "4 and 5 faces, unlike radii, a side leads by 0 to 1e-6, both ends cut", true,
+    {"sides_nearly_tie", "4 and 5 faces, unlike radii, a side leads by 0 to 1e-6, both ends cut",
+     true,
      [](const BugView& v) {
        const double lead = lead_of_side(v);
        return v.has_counts(4, 5) && lead > 0 && lead < 1e-6 * v.size && v.are_both_cut() &&
               v.shape(Side::a).radius > 4 * v.shape(Side::b).radius;
      }},
-    {"deep_on_a_short_face", "heptagons, deeper than 0.45 sizes on a face below 1% of the size", true,
+    {"deep_on_a_short_face", "heptagons, deeper than 0.45 sizes on a face below 1% of the size",
+     true,
      [](const BugView& v) {
        return v.has_counts(7, 7) && v.depth > 0.45 * v.size && v.face_length < 0.01 * v.size;
      }},
@@ -201,8 +207,8 @@ constexpr RareBug kRareBugs[] = {
        return v.shape(other(v.reference.side)).count == 8 && v.are_both_cut() &&
               v.pair.a.pose.position.cast<double>().norm() > 0x1p20 * v.size;
      }},
-    {"parallel_with_large_radii", "an octagon, parallel, equal radii above a tenth of the size, cut",
-     true,
+    {"parallel_with_large_radii",
+     "an octagon, parallel, equal radii above a tenth of the size, cut", true,
      [](const BugView& v) {
        return v.clip->tangent == 0 && v.are_both_cut() && v.shape(Side::a).count == 8 &&
               v.shape(Side::a).radius == v.shape(Side::b).radius &&
@@ -236,7 +242,8 @@ constexpr RareBug kRareBugs[] = {
        return v.has_counts(7, 1) && v.reference == exact::FaceOf{Side::a, 6} &&
               v.depth - radius(v, Side::b) > 0.5 * v.size;
      }},
-    {"tiny_and_large_skin", "A's round corners below 1e-6 of its core, B's radius above its core", true,
+    {"tiny_and_large_skin", "A's round corners below 1e-6 of its core, B's radius above its core",
+     true,
      [](const BugView& v) {
        const ConvexPolygon<float>& a = v.shape(Side::a);
        return a.count >= 3 && a.is_round() && a.radius > 0 && radius(v, Side::a) < 1e-6 * core(a) &&

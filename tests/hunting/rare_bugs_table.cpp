@@ -55,8 +55,10 @@ void hunt(const Plan& plan, Counts& firsts) {
       }
     }
   };
-  run_hunt(of, {}, {}, {"", {{"machine", ""}, {"compiler", ""}, {"versions", nlohmann::ordered_json::object()}}},
-           [](const HuntProgress&) {});
+  run_hunt(
+      of, {}, {},
+      {"", {{"machine", ""}, {"compiler", ""}, {"versions", nlohmann::ordered_json::object()}}},
+      [](const HuntProgress&) {});
 }
 
 std::uint64_t number_in(std::string_view text) {
@@ -80,7 +82,8 @@ int table(std::string_view how, std::uint64_t seed, std::uint64_t cases) {
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    fmt::print(stderr, "manifuzz_rare_bugs: draw or hunt, a seed and a number of cases are expected\n");
+    fmt::print(stderr,
+               "manifuzz_rare_bugs: draw or hunt, a seed and a number of cases are expected\n");
     return 2;
   }
   return manifuzz::test::table(argv[1], manifuzz::test::number_in(argv[2]),

@@ -126,8 +126,9 @@ Outputs write_all(const Campaign& campaign, const std::optional<CampaignResult>&
   });
   outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(summary)); });
   outputs.write(!options.report.empty(), [&] {
-    write_data(options.report, page_of_campaign(campaign, summary,
-                                                {options.colliders, options.folders, options.json}));
+    write_data(
+        options.report,
+        page_of_campaign(campaign, summary, {options.colliders, options.folders, options.json}));
     if (options.report != "-") write_remark("wrote the page " + options.report);
   });
   outputs.add_error(unwritten_in_words(campaign.saving));

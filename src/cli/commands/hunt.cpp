@@ -1,3 +1,5 @@
+#include "hunting/hunt.hpp"
+
 #include <algorithm>
 #include <string>
 #include <thread>
@@ -14,7 +16,6 @@
 #include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "engines/provenance.hpp"
-#include "hunting/hunt.hpp"
 #include "hunting/worst_cases.hpp"
 #include "report/campaign_text.hpp"
 #include "report/measurements/hunt_report.hpp"
@@ -81,13 +82,12 @@ HuntPlan hunt_plan_of(const HuntArguments& options) {
   plan.cases = options.cases;
   plan.seconds = options.seconds;
   if (!options.cases && !options.seconds) plan.seconds = kUsualSeconds;
-  plan.jobs = static_cast<int>(
-      options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
+  plan.jobs =
+      static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
   hunt.measure = measure_named(options.measure);
   hunt.compares = !options.is_alone;
   hunt.founders = founders_in(options.from);
-  std::erase_if(hunt.founders,
-                [&](const PairCase& pair) { return !is_taken(plan.context, pair); });
+  std::erase_if(hunt.founders, [&](const PairCase& pair) { return !is_taken(plan.context, pair); });
   return hunt;
 }
 
@@ -105,8 +105,9 @@ std::string repeating_hunt(const HuntArguments& options) {
 }
 
 CommandFiles files_of_hunt(const HuntArguments& options) {
-  CommandFiles files{{options.folders.saved(), {"--json", options.json}, {"--report", options.report}},
-                     options.folders.all()};
+  CommandFiles files{
+      {options.folders.saved(), {"--json", options.json}, {"--report", options.report}},
+      options.folders.all()};
   for (const std::string& path : options.from) files.inputs.emplace_back(path);
   return files;
 }
@@ -123,8 +124,7 @@ int hunt(HuntArguments& options) {
   const Known known = known_of(all.of(CaseKind::pair), options.today);
   const SaveTo saved{.folder = options.folders.save_to(),
                      .shrink_seconds = options.shrink_seconds.value_or(kShrinkSeconds)};
-  const Origin origin{repeating_hunt(options),
-                      provenance(plan.plan.seed, asked_by(plan.plan))};
+  const Origin origin{repeating_hunt(options), provenance(plan.plan.seed, asked_by(plan.plan))};
   Hunt hunted = [&] {
     const ProgressLine line;
     return run_hunt(plan, known, saved, origin,
@@ -138,12 +138,12 @@ int hunt(HuntArguments& options) {
                     : options.is_verbose            ? hunt_table(hunted)
                                                     : hunt_screen(hunted, show));
   });
-  outputs.write(!options.json.empty(), [&] { write_data(options.json, json_text(json_of(hunted))); });
+  outputs.write(!options.json.empty(),
+                [&] { write_data(options.json, json_text(json_of(hunted))); });
   outputs.write(!options.report.empty(), [&] {
     // Its summary as a campaign's: the page compares no cells.
-    write_data(options.report,
-               page_of_campaign(hunted.campaign, json_of(hunted.campaign.result),
-                                {options.colliders, options.folders, ""}));
+    write_data(options.report, page_of_campaign(hunted.campaign, json_of(hunted.campaign.result),
+                                                {options.colliders, options.folders, ""}));
   });
   outputs.add_error(unwritten_in_words(hunted.campaign.saving));
   if (!outputs.are_written()) return 2;
@@ -153,8 +153,8 @@ int hunt(HuntArguments& options) {
 void add_hunt_arguments(CLI::App& app, HuntArguments& options) {
   add_subject_and_oracle(app, options.colliders);
   add_seed(app, options.seed);
-  CLI::Option* const cases = add_whole_number(app, "--cases", options.cases,
-                                              "number of cases to breed and judge", 1);
+  CLI::Option* const cases =
+      add_whole_number(app, "--cases", options.cases, "number of cases to breed and judge", 1);
   add_length(app, "--seconds", options.seconds,
              "duration of the hunt in seconds, drawn cases included; default: 10")
       ->excludes(cases);

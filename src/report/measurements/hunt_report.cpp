@@ -37,7 +37,8 @@ std::string row_of(const WorstFound& found) {
 }
 
 Json row_json(std::string_view measure, const WorstFound& found) {
-  Json row{{"measure", measure}, {"worst", found.value}, {"worst_drawn", nullptr}, {"file", found.file}};
+  Json row{
+      {"measure", measure}, {"worst", found.value}, {"worst_drawn", nullptr}, {"file", found.file}};
   if (found.drawn) row["worst_drawn"] = *found.drawn;
   return row;
 }
@@ -79,7 +80,8 @@ std::string hunt_line(const HuntProgress& progress) {
   line += fmt::format("; {}, {:.2g} a second", counted(progress.behaviours, "behaviour"),
                       per_second(progress.behaviours, seconds));
   if (progress.worst > 0) {
-    line += fmt::format("; worst {} {:.3g}", name_of(progress.worst_of, kGaugeNames), progress.worst);
+    line +=
+        fmt::format("; worst {} {:.3g}", name_of(progress.worst_of, kGaugeNames), progress.worst);
   }
   double left = 0;
   if (progress.plan.seconds) left = *progress.plan.seconds - seconds;
@@ -91,9 +93,10 @@ std::string hunt_line(const HuntProgress& progress) {
 
 std::string hunt_rows(const Hunt& hunt) {
   const bool is_compared = hunt.cells_drawn.has_value();
-  std::string text = fmt::format("{:<40}{:>12}{:>12}\n",
-                                 fmt::format("worst after {}", counted(hunt.generations, "generation")),
-                                 "hunted", is_compared ? "drawn" : "");
+  std::string text =
+      fmt::format("{:<40}{:>12}{:>12}\n",
+                  fmt::format("worst after {}", counted(hunt.generations, "generation")), "hunted",
+                  is_compared ? "drawn" : "");
   text += lines_of(hunt.worst, row_of);
   text += fmt::format("{:<40}{:>12}{:>12}\n", "cells filled", hunt.cells,
                       is_compared ? fmt::format("{}", *hunt.cells_drawn) : "");

@@ -1,11 +1,11 @@
+#include "hunting/archive.hpp"
+
 #include <map>
 #include <set>
 #include <tuple>
 
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
-
-#include "hunting/archive.hpp"
 
 using namespace manifuzz;
 
@@ -72,31 +72,33 @@ TEST_CASE("a case that is held stays when it has lost its last cell") {
 }
 
 TEST_CASE("whatever is added, each cell of pairs has what a plain map of them has") {
-  const bool holds = rc::check([](const std::vector<std::tuple<unsigned, unsigned, unsigned>>& all) {
-    Archive archive;
-    std::map<std::tuple<std::size_t, std::size_t, int, int>, std::pair<double, int>> plain;
-    int number = 0;
-    for (const auto& [bin, its_bin, level] : all) {
-      const Observation of = observed(static_cast<int>(bin % 3), Condition::gap,
-                                      static_cast<int>(its_bin % 3));
-      const double value = level % 5;
-      ++number;
-      archive.add(of, value, [&] { return numbered(number); });
-      for (std::size_t i = 0; i < kConditions; ++i) {
-        for (std::size_t j = i + 1; j < kConditions; ++j) {
-          const auto key = std::tuple(i, j, int{of.conditions.all()[i]}, int{of.conditions.all()[j]});
-          const auto [at, is_new] = plain.try_emplace(key, value, number);
-          if (!is_new && value > at->second.first) at->second = {value, number};
+  const bool holds =
+      rc::check([](const std::vector<std::tuple<unsigned, unsigned, unsigned>>& all) {
+        Archive archive;
+        std::map<std::tuple<std::size_t, std::size_t, int, int>, std::pair<double, int>> plain;
+        int number = 0;
+        for (const auto& [bin, its_bin, level] : all) {
+          const Observation of =
+              observed(static_cast<int>(bin % 3), Condition::gap, static_cast<int>(its_bin % 3));
+          const double value = level % 5;
+          ++number;
+          archive.add(of, value, [&] { return numbered(number); });
+          for (std::size_t i = 0; i < kConditions; ++i) {
+            for (std::size_t j = i + 1; j < kConditions; ++j) {
+              const auto key =
+                  std::tuple(i, j, int{of.conditions.all()[i]}, int{of.conditions.all()[j]});
+              const auto [at, is_new] = plain.try_emplace(key, value, number);
+              if (!is_new && value > at->second.first) at->second = {value, number};
+            }
+          }
         }
-      }
-    }
-    std::multiset<int> kept;
-    std::multiset<int> expected;
-    for (std::size_t k = 0; k < archive.cell_count(Archive::Set::pairs); ++k) {
-      kept.insert(number_of(archive, Archive::Set::pairs, k));
-    }
-    for (const auto& [key, cell] : plain) expected.insert(cell.second);
-    RC_ASSERT(kept == expected);
-  });
+        std::multiset<int> kept;
+        std::multiset<int> expected;
+        for (std::size_t k = 0; k < archive.cell_count(Archive::Set::pairs); ++k) {
+          kept.insert(number_of(archive, Archive::Set::pairs, k));
+        }
+        for (const auto& [key, cell] : plain) expected.insert(cell.second);
+        RC_ASSERT(kept == expected);
+      });
   CHECK(holds);
 }

@@ -1,10 +1,11 @@
+#include "hunting/conditions.hpp"
+
 #include <set>
 
 #include <catch2/catch.hpp>
 
 #include "corpus/corpus.hpp"
 #include "generating/regime.hpp"
-#include "hunting/conditions.hpp"
 
 using namespace manifuzz;
 

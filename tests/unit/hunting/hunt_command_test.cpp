@@ -43,8 +43,8 @@ TEST_CASE("a hunt's JSON has every key that is promised") {
 
 TEST_CASE("without drawn cases nothing is compared") {
   const TemporaryFolder folder;
-  const Outcome outcome = run_manifuzz(hunt(
-      folder, {"--seed", "1", "--cases", "1500", "--no-save", "--no-compare", "--json", "-"}));
+  const Outcome outcome = run_manifuzz(
+      hunt(folder, {"--seed", "1", "--cases", "1500", "--no-save", "--no-compare", "--json", "-"}));
   const Json json = Json::parse(outcome.out);
   CHECK(json["cells_drawn"].is_null());
   for (const Json& row : json["rows"]) CHECK(row["worst_drawn"].is_null());
@@ -54,8 +54,8 @@ TEST_CASE("a hunt says what is wrong with what it is given, in a line") {
   const TemporaryFolder folder;
   const std::string broken = folder.write("broken.json", "{\"format\": \"manifuzz/case/1\"}");
   const std::vector<std::vector<std::string>> wrong{
-      {"--measure", "speed"}, {"--cases", "0"},       {"--seconds", "-1"},
-      {"--from", "nowhere"},  {"--from", broken},     {"--regime", "sliding"},
+      {"--measure", "speed"}, {"--cases", "0"},        {"--seconds", "-1"},
+      {"--from", "nowhere"},  {"--from", broken},      {"--regime", "sliding"},
       {"--jobs", "0"},        {"--subject", "cached"}, {"--cases", "10", "--seconds", "1"}};
   for (const std::vector<std::string>& options : wrong) {
     CAPTURE(options);
@@ -66,7 +66,8 @@ TEST_CASE("a hunt says what is wrong with what it is given, in a line") {
   }
 }
 
-TEST_CASE("a hunt of a collider that is wrong saves what it finds, and its worst cases are listed") {
+TEST_CASE(
+    "a hunt of a collider that is wrong saves what it finds, and its worst cases are listed") {
   const TemporaryFolder folder;
   const std::string corpus = (folder.path() / "corpus").string();
   const std::string silent = "sh " + folder.write("silent.sh",
@@ -114,6 +115,7 @@ TEST_CASE("a hunt that is interrupted keeps what it found") {
   CHECK(run["cases"] < 1000000);
   REQUIRE(run["buckets"].size() > 0);
   for (const Json& bucket : run["buckets"]) {
-    if (bucket["verdict"] != "tie") CHECK(std::filesystem::exists(bucket["file"].get<std::string>()));
+    if (bucket["verdict"] != "tie")
+      CHECK(std::filesystem::exists(bucket["file"].get<std::string>()));
   }
 }

@@ -1,8 +1,9 @@
+#include "hunting/hunt.hpp"
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "engines/colliders.hpp"
-#include "hunting/hunt.hpp"
 #include "hunting/rare_bugs.hpp"
 #include "hunting/worst_cases.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -28,7 +29,8 @@ HuntPlan plan_of(const Collider& subject, const Collider& oracle, std::uint64_t 
 
 Hunt run(const HuntPlan& plan, const SaveTo& save_to = {}) {
   using Json = nlohmann::ordered_json;
-  const Origin nowhere{"manifuzz hunt", {{"machine", ""}, {"compiler", ""}, {"versions", Json::object()}}};
+  const Origin nowhere{"manifuzz hunt",
+                       {{"machine", ""}, {"compiler", ""}, {"versions", Json::object()}}};
   return run_hunt(plan, {}, save_to, nowhere, [](const HuntProgress&) {});
 }
 
@@ -82,7 +84,8 @@ TEST_CASE("a longer hunt begins as a shorter one, so that a case is there again 
     if (!found.pair) continue;
     for (const WorstFound& later : whole.worst) {
       if (later.gauge == found.gauge) CHECK(later.value >= found.value);
-      if (later.gauge == found.gauge && later.number == found.number) CHECK(later.pair == found.pair);
+      if (later.gauge == found.gauge && later.number == found.number)
+        CHECK(later.pair == found.pair);
     }
   }
 }

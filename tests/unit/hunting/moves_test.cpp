@@ -1,9 +1,10 @@
+#include "hunting/moves.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "exact/truth.hpp"
 #include "generating/drafts.hpp"
 #include "generating/regime.hpp"
-#include "hunting/moves.hpp"
 
 using namespace manifuzz;
 
