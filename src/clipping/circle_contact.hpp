@@ -99,8 +99,8 @@ std::optional<int> end_of_walk(const ConvexPolygon<Scalar>& core, int face_index
 }
 
 /// Whether a point is nearest to a vertex from outside: from there it lies among the vertex's
-/// normals. Behind the face of greatest separation it is inside where the corner is nearly flat, and
-/// past the tip of a needle else.
+/// normals. Behind the face of greatest separation it is inside where the corner is nearly flat,
+/// and past the tip of a needle else.
 template <class Scalar>
 bool is_outside_at(const ConvexPolygon<Scalar>& core, int corner, int greatest_face,
                    const Vector2<Scalar>& point) {

@@ -61,6 +61,7 @@ template <class Scalar>
   Manifold<Scalar> clipped = contact_of_faces(a, b, of_a, of_b, tie_bias);
   // Sums with a large radius hide how little a clip by the wrong face kept of a small overlap.
   if (clipped.count == 0) clipped = deepest_contact(a, b);
+  restore_deepest_vertex(a, b, std::max(of_a.separation, of_b.separation), clipped);
   return overlapping_contact(a, b, clipped, second_point);
 }
 

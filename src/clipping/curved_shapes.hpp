@@ -63,7 +63,9 @@ std::optional<Vector2<Scalar>> nearest_normal(const ConvexPolygon<Scalar>& a,
   const Scalar reach = 2 * roundoff;
   if (std::abs(normal.dot(clockwise_quarter(nearest.apart))) <= reach) return normal;
   const double wide = static_cast<double>(reach);
-  return squared_length(nearest.apart) > wide * wide ? direction : std::nullopt;
+  const bool are_apart = std::max(of_a.separation, of_b.separation) >= -roundoff &&
+                         squared_length(nearest.apart) > wide * wide;
+  return are_apart ? direction : std::nullopt;
 }
 
 /// The edge that a shape gives at its nearest place: the face itself, or of the two edges at the
@@ -167,6 +169,29 @@ Manifold<Scalar> nearest_contact(const ConvexPolygon<Scalar>& a, const ConvexPol
   put_on_surface(a, b, manifold);
   order_points(manifold);
   return manifold;
+}
+
+/// Gives a manifold of overlapping cores its deepest vertex where rounding has cut a steep edge
+/// just before it: of round shapes the overlap itself must be there. `greatest` is the separation.
+template <class Scalar>
+void restore_deepest_vertex(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                            Scalar greatest, Manifold<Scalar>& manifold) {
+  const Side side = manifold.reference;
+  const ConvexPolygon<Scalar>& reference = side == Side::a ? a : b;
+  const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
+  const Vector2<Scalar> outward =
+      side == Side::a ? manifold.normal : Vector2<Scalar>(-manifold.normal);
+  for (int i = 0; i < reference.face_count(); ++i) {
+    if (reference.normals[i] != outward) continue;
+    const FaceSeparation<Scalar> found = face_separation(reference, i, opposing);
+    if (!misses_deepest(a, b, manifold, found.separation, greatest)) continue;
+    const Vector2<Scalar>& deepest = opposing.vertices[found.deepest];
+    if (!slab_holds<Scalar>(reference, i, deepest, separation_roundoff(a, b))) continue;
+    const bool is_second =
+        manifold.count > 1 && manifold.points[1].depth > manifold.points[0].depth;
+    manifold.points[is_second ? 1 : 0] = lone_vertex(reference, side, found, opposing).points[0];
+    return;
+  }
 }
 
 /// The manifold of round shapes whose cores overlap, from what the clip by a face kept: of a point,

@@ -207,8 +207,7 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
   const NearestPlaces<Scalar> places = a_first ? walk_nearer(a, of_a.face, b, of_a.deepest)
                                                : walk_nearer(a, of_b.deepest, b, of_b.face);
   if (are_nearest(a, b, places)) return places;
-  const Scalar greatest = std::max(of_a.separation, of_b.separation);
-  const auto at_face = places_at_any_face<Scalar>(a, b, greatest - roundoff, roundoff);
+  const auto at_face = places_at_any_face<Scalar>(a, b, least, roundoff);
   return at_face ? *at_face : nearest_vertices(a, b);
 }
 
