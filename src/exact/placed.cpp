@@ -28,7 +28,7 @@ template <int n, class AnyBody>
 HWY_INLINE Placed<n> place(const AnyBody& body, double x, double y) {
   const double cos = static_cast<double>(body.pose.rotation.x());
   const double sin = static_cast<double>(body.pose.rotation.y());
-  const LanePoints<n> corners = load_points<n>(body.polygon.vertices[0].data());
+  const LanePoints<n> corners = load_points<n>(body.polygon.vertices[0].data(), body.polygon.count);
   const LanePoints<n> edges = next(corners, body.polygon.count) - corners;
   const LanePoints<n> outward = turned(cos, sin, clockwise_quarter(edges));
   return {turned(cos, sin, corners) + in_every_lane<n>(x, y),
@@ -93,7 +93,7 @@ void separate_stored(const StoredPair& pair, Separations& found) {
 /// The square of a polygon's reach.
 template <int n>
 HWY_INLINE double squared_reach(const ConvexPolygon<float>& polygon) {
-  const LanePoints<n> corners = load_points<n>(polygon.vertices[0].data());
+  const LanePoints<n> corners = load_points<n>(polygon.vertices[0].data(), polygon.count);
   return -least_of(
       select(first_lanes<n>(polygon.count), -dot(corners, corners), in_every_lane<n>(0)));
 }

@@ -35,7 +35,7 @@ HWY_INLINE bool is_plainly_convex(const LanePoints<n>& edges, int count) {
 /// Takes and gives x and y by turns.
 template <int n>
 HWY_INLINE bool find_plain_normals(const float* vertices, int count, float* normals) {
-  const LanePoints<n> corners = load_points<n>(vertices);
+  const LanePoints<n> corners = load_points<n>(vertices, count);
   const LanePoints<n> edges = next(corners, count) - corners;
   if (!is_plainly_convex(edges, count)) return false;
   // The quotients are off by up to 5 roundoffs from what make_polygon rounds to floats.
@@ -54,7 +54,7 @@ bool plain_normals(const float* vertices, int count, float* normals) {
 template <int n>
 HWY_INLINE bool round_parts(const Outline& outline, ConvexPolygon<float>& polygon) {
   float* const vertices = polygon.vertices[0].data();
-  round_to_floats<n>(outline.vertices[0].data(), vertices);
+  round_to_floats<n>(outline.vertices[0].data(), outline.count, vertices);
   return find_plain_normals<n>(vertices, polygon.count, polygon.normals[0].data());
 }
 
@@ -76,9 +76,9 @@ struct Standing {
 };
 
 HWY_INLINE void stand(const Body& body, Standing& standing) {
-  const LanePoints<> corners = turned(static_cast<double>(body.pose.rotation.x()),
-                                      static_cast<double>(body.pose.rotation.y()),
-                                      load_points(body.polygon.vertices[0].data()));
+  const LanePoints<> corners = turned(
+      static_cast<double>(body.pose.rotation.x()), static_cast<double>(body.pose.rotation.y()),
+      load_points(body.polygon.vertices[0].data(), body.polygon.count));
   store(corners.x, standing.x);
   store(corners.y, standing.y);
   // Left unset, a lane might hold a denormal, and its normal be infinite.

@@ -14,7 +14,7 @@ namespace manifuzz::HWY_NAMESPACE {
 /// All vertices at once meet those that lie so many behind them, counted round: up to half of all.
 HWY_INLINE double squared_diameter_of(const ConvexPolygon<float>& polygon) {
   const int count = polygon.count;
-  const LanePoints<> vertices = load_points(polygon.vertices[0].data());
+  const LanePoints<> vertices = load_points(polygon.vertices[0].data(), count);
   double x[2 * kMaxVertices];
   double y[2 * kMaxVertices];
   store(vertices.x, x);
@@ -25,7 +25,9 @@ HWY_INLINE double squared_diameter_of(const ConvexPolygon<float>& polygon) {
   }
   Lanes<> minus_greatest = in_every_lane(0);
   for (int apart = 1; apart <= count / 2; ++apart) {
-    const LanePoints<> d = LanePoints<>{load(x + apart), load(y + apart)} - vertices;
+    const LanePoints<> d = LanePoints<>{load(lane_memory<kMaxVertices>(x + apart, count)),
+                                        load(lane_memory<kMaxVertices>(y + apart, count))} -
+                           vertices;
     minus_greatest = lesser(-dot(d, d), minus_greatest);
   }
   return -least_of(select(first_lanes(count), minus_greatest, in_every_lane(0)));

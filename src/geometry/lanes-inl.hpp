@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include "geometry/lane_memory.hpp"
 #include "geometry/lanes.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -204,9 +205,10 @@ HWY_INLINE LanePoints<n> turned(double cos, double sin, const LanePoints<n>& a) 
   return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
 
-/// Loads points whose x and y alternate.
+/// Loads points whose x and y alternate, `count` of them somebody's.
 template <int n = kParts>
-HWY_INLINE LanePoints<n> load_points(const double* from) {
+HWY_INLINE LanePoints<n> load_points(const double* points_from, int count) {
+  const auto& from = lane_memory<2 * n * kPart>(points_from, 2 * count);
   LanePoints<n> points;
   for (int p = 0; p < n; ++p) {
     hn::LoadInterleaved2(Part(), from + 2 * p * kPart, points.x.parts[p], points.y.parts[p]);
@@ -214,7 +216,8 @@ HWY_INLINE LanePoints<n> load_points(const double* from) {
   return points;
 }
 template <int n = kParts>
-HWY_INLINE LanePoints<n> load_points(const float* from) {
+HWY_INLINE LanePoints<n> load_points(const float* points_from, int count) {
+  const auto& from = lane_memory<2 * n * kPart>(points_from, 2 * count);
   LanePoints<n> points;
   for (int p = 0; p < n; ++p) {
     hn::Vec<FloatPart> x;
@@ -235,9 +238,10 @@ template <int n>
 HWY_INLINE LanePoints<n> rounded_to_floats(const LanePoints<n>& points) {
   return {rounded_to_floats(points.x), rounded_to_floats(points.y)};
 }
-/// Rounds x and y by turns.
+/// Rounds x and y by turns, of `count` points that are somebody's.
 template <int n = kParts>
-HWY_INLINE void round_to_floats(const double* from, float* to) {
+HWY_INLINE void round_to_floats(const double* points_from, int count, float* to) {
+  const auto& from = lane_memory<2 * n * kPart>(points_from, 2 * count);
   for (int i = 0; i < 2 * n * kPart; i += kPart) {
     hn::StoreU(hn::DemoteTo(FloatPart(), hn::LoadU(Part(), from + i)), FloatPart(), to + i);
   }
@@ -268,7 +272,7 @@ HWY_INLINE Lanes<n> next(const Lanes<n>& lanes, int count) {
   double memory[kMaxVertices + 1];
   store(lanes, memory);
   memory[count] = memory[0];
-  return load<n>(memory + 1);
+  return load<n>(lane_memory<n * kPart>(memory + 1, count));
 }
 template <int n>
 HWY_INLINE LanePoints<n> next(const LanePoints<n>& points, int count) {
