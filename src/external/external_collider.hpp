@@ -11,16 +11,13 @@
 #include "collider/collider.hpp"
 #include "collider/sequence_collider.hpp"
 #include "exchange/json.hpp"
+#include "external/c_body.hpp"
 #include "external/error_output.hpp"
-#include "external/manifuzz_collider.h"
 #include "external/side_effects.hpp"
 #include "process/child.hpp"
 #include "process/interruption.hpp"
 
 namespace manifuzz {
-
-/// A body as manifuzz_collider.h has it.
-manifuzz_body c_body(const Body& body);
 
 /// A shared library, loaded into this process for good. Throws UserError that says why it cannot
 /// be.
