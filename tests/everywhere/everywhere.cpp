@@ -159,16 +159,6 @@ void hash_all(std::uint64_t count) {
 }  // namespace
 }  // namespace manifuzz
 
-#ifdef __wasm__
-// WebAssembly's C++ library has no exceptions: what would be thrown ends the program.
-extern "C" void* __cxa_allocate_exception(std::size_t) {
-  std::abort();
-}
-extern "C" void __cxa_throw(void*, void*, void (*)(void*)) {
-  std::abort();
-}
-#endif
-
 int main(int count, char** words) {
   const std::vector<std::string> targets = manifuzz::kernel::targets();
   if (count == 2 && std::string_view(words[1]) == "--targets") {
