@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engines/engine.hpp"
-#include "exact/arithmetic.hpp"
+#include "exact/rational.hpp"
 #include "judging/faults/differences.hpp"
 #include "oracle/libccd/ledger/deviations.hpp"
 #include "oracle/libccd/ledger/polytope.hpp"

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
@@ -23,5 +21,3 @@
 
 #include <Eigen/Core>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <nlohmann/json.hpp>

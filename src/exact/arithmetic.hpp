@@ -1,28 +1,10 @@
 #pragma once
 
 #include <array>
-#ifdef MANIFUZZ_WITHOUT_GMP
-#include <boost/multiprecision/cpp_int.hpp>
-#else
-#include <boost/multiprecision/gmp.hpp>
-#endif
 #include <cmath>
 #include <optional>
 
 namespace manifuzz::exact {
-
-#ifdef MANIFUZZ_WITHOUT_GMP
-using RationalBackend = boost::multiprecision::cpp_rational_backend;
-#else
-using RationalBackend = boost::multiprecision::gmp_rational;
-#endif
-
-/// Every float, and every sum, product and quotient of floats; GMP's, where there is GMP.
-using Rational = boost::multiprecision::number<RationalBackend, boost::multiprecision::et_off>;
-
-inline std::optional<int> sign(const Rational& a) {
-  return a.sign();
-}
 
 // Sums and products of doubles without loss, and the arithmetic of pairs of doubles built on them.
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "exact/arithmetic.hpp"
+#include "exact/rational.hpp"
 
 namespace manifuzz::exact {
 

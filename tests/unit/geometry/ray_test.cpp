@@ -7,8 +7,8 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "exact/arithmetic.hpp"
 #include "exact/placed.hpp"
+#include "exact/rational.hpp"
 #include "generating/drafts.hpp"
 #include "generating/regime.hpp"
 
