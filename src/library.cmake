@@ -77,12 +77,16 @@ function(manifuzz_public_library name)
   endif()
 endfunction()
 
-# manifuzz_use_highway(target): vector code of its own. Highway 1.0.3 does not compile where the
-# compiler may use all that AVX3_DL has, as with -march=native on newer processors: it forgets that
-# target among those to dispatch to. Nothing here gains by it, nor by SSSE3 over SSE2, and each target
-# is the vector code compiled once more.
+# manifuzz_use_highway(target [BUT instruction_set...]): vector code of its own. Highway 1.0.3 does not
+# compile where the compiler may use all that AVX3_DL has, as with -march=native on newer processors: it
+# forgets that target among those to dispatch to. Nothing here gains by it, nor by SSSE3 over SSE2, and
+# each target is the vector code compiled once more.
 function(manifuzz_use_highway target)
-  target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(HWY_AVX3_DL|HWY_SSSE3)")
+  cmake_parse_arguments(PARSE_ARGV 1 HIGHWAY "" "" "BUT")
+  list(TRANSFORM HIGHWAY_BUT PREPEND HWY_)
+  list(JOIN HIGHWAY_BUT "|" but)
+  target_compile_definitions(${target} PRIVATE
+    "HWY_DISABLED_TARGETS=(HWY_AVX3_DL|HWY_SSSE3$<$<BOOL:${but}>:|${but}>)")
   target_link_libraries(${target} PRIVATE hwy::hwy)
 endfunction()
 
