@@ -167,7 +167,9 @@ void add_buckets(CampaignResult& sum, const CampaignResult& run) {
     added.error = kept->error;
     widen(added.error, other.error);
     added.regimes = kept->regimes;
+    added.agreed = kept->agreed;
     for (const auto& [regime, count] : other.regimes) added.regimes[regime] += count;
+    for (const auto& [regime, count] : other.agreed) added.agreed[regime] += count;
     added.is_new = kept->is_new || other.is_new;
     added.is_accepted = kept->is_accepted && other.is_accepted;
     added.is_in_baseline = kept->is_in_baseline && other.is_in_baseline;
@@ -197,6 +199,16 @@ auto place_in_order(const BucketResult& found) {
   return bucket ? place_of(*bucket, found.count) : Place{std::numeric_limits<Count>::max()};
 }
 
+/// Runs that the risk was to end may each have ended at any look: all that may come together miss
+/// as often as their shares of the error, multiplied, say.
+void add_risk_error(CampaignResult& sum, const CampaignResult& run) {
+  if (!run.risk_error || !sum.risk_error) {
+    sum.risk_error.reset();
+  } else {
+    *sum.risk_error *= *run.risk_error / kRiskError;
+  }
+}
+
 void add_run(CampaignResult& sum, const CampaignResult& run) {
   expect_addable(sum, run);
   if (sum.parts.empty()) {
@@ -216,6 +228,7 @@ void add_run(CampaignResult& sum, const CampaignResult& run) {
   sum.interrupted = sum.interrupted || run.interrupted;
   sum.stopped_early = sum.stopped_early || run.stopped_early;
   sum.budgets_hold = sum.budgets_hold && run.budgets_hold;
+  add_risk_error(sum, run);
   add_regimes(sum, run);
   add_ledger(sum, run);
   add_buckets(sum, run);
@@ -240,6 +253,7 @@ MergedRuns merged_runs(const RunFiles& files) {
     runs.result.emplace();
     runs.result->settings = *usual;
     runs.result->budgets_hold = true;
+    runs.result->risk_error = kRiskError;
   }
   for (const ResultFile& result : files.results) {
     try {

@@ -118,6 +118,33 @@ void narrow_to_share(const Share& share, Plan& plan) {
   plan.cases = std::min((end - begin) * in_turn, cases - begin * in_turn);
 }
 
+namespace {
+
+void take_worse(double& mine, CaseNumber& at, double other, CaseNumber there) {
+  if (other < mine || (other == mine && there >= at)) return;
+  mine = other;
+  at = there;
+}
+
+}  // namespace
+
+void BucketTally::meet(std::size_t regime, CaseNumber number, const Judgement& judgement) {
+  const WorstError met = worst_error(judgement);
+  if (count == 0) {
+    first = worst = number;
+    error = met;
+    worst_of.fill(number);
+  }
+  ++count;
+  ++regimes[regime];
+  if (judgement.is_agreed_contact) ++agreed[regime];
+  first = std::min(first, number);
+  take_worse(error.magnitude, worst, met.magnitude, number);
+  for (std::size_t i = 0; i < worst_of.size(); ++i) {
+    take_worse(error.errors.all()[i], worst_of[i], met.errors.all()[i], number);
+  }
+}
+
 void BucketTally::add(const BucketTally& tally) {
   if (tally.count == 0) return;
   if (count == 0) {
@@ -126,12 +153,8 @@ void BucketTally::add(const BucketTally& tally) {
   }
   count += tally.count;
   for (std::size_t i = 0; i < regimes.size(); ++i) regimes[i] += tally.regimes[i];
+  for (std::size_t i = 0; i < agreed.size(); ++i) agreed[i] += tally.agreed[i];
   first = std::min(first, tally.first);
-  const auto take_worse = [](double& mine, CaseNumber& at, double other, CaseNumber there) {
-    if (other < mine || (other == mine && there >= at)) return;
-    mine = other;
-    at = there;
-  };
   take_worse(error.magnitude, worst, tally.error.magnitude, tally.worst);
   for (std::size_t i = 0; i < worst_of.size(); ++i) {
     take_worse(error.errors.all()[i], worst_of[i], tally.error.errors.all()[i], tally.worst_of[i]);
@@ -177,6 +200,8 @@ void RegimeTally::add(const RegimeTally& tally) {
   near += tally.near;
   unexplained += tally.unexplained;
   frames += tally.frames;
+  agreed += tally.agreed;
+  agreed_judged += tally.agreed_judged;
 }
 
 namespace {
@@ -207,12 +232,11 @@ void Tally::add(std::size_t regime, CaseNumber number, const Standing& standing,
   ++verdicts[static_cast<std::size_t>(bucket.verdict)];
   if (judgement.is_by_tolerance) ++by_tolerance;
   if (bucket.verdict == Verdict::agree && judgement.is_judged) ++agreeing_judged;
-  if (bucket.verdict != Verdict::agree) {
-    BucketTally met{1, number, number, worst_error(judgement)};
-    met.worst_of.fill(number);
-    met.regimes[regime] = 1;
-    buckets.of(bucket).add(met);
+  if (judgement.is_agreed_contact) {
+    ++of_regime.agreed;
+    if (judgement.is_judged) ++of_regime.agreed_judged;
   }
+  if (bucket.verdict != Verdict::agree) buckets.of(bucket).meet(regime, number, judgement);
   if (is_wrong_answer(bucket)) first_wrong[static_cast<std::size_t>(bucket.kind)].add(number);
   if (judgement.explanation != nullptr) ++explained[index_of(*judgement.explanation)][regime];
 }

@@ -59,7 +59,10 @@ struct BucketTally {
   std::array<CaseNumber, kComponentNames.size()>
       worst_of{};                                    ///< of each component's greatest error
   std::array<std::uint64_t, kRegimesMax> regimes{};  ///< the count in each
+  std::array<std::uint64_t, kRegimesMax> agreed{};   ///< of these, agreed contacts
 
+  /// Counts a case that shows it.
+  void meet(std::size_t regime, CaseNumber number, const Judgement& judgement);
   void add(const BucketTally& tally);
 };
 
@@ -94,7 +97,9 @@ struct RegimeTally {
   std::uint64_t touching = 0;  ///< by the truth
   std::uint64_t near = 0;      ///< not touching, but near
   std::uint64_t unexplained = 0;
-  std::uint64_t frames = 0;  ///< of sequences; pair cases have none
+  std::uint64_t frames = 0;         ///< of sequences; pair cases have none
+  std::uint64_t agreed = 0;         ///< agreed contacts, of which a sample is judged
+  std::uint64_t agreed_judged = 0;  ///< the sample
 
   void add(const RegimeTally& tally);
 };
@@ -154,6 +159,8 @@ struct Plan {
   std::optional<double> seconds;       ///< from the first answer on: a program's start is extra
   Deadline latest{};                   ///< when it ends at the latest, whatever was answered
   bool until_new = false;              ///< it ends with the first case of something new and wrong
+  /// It ends once the chance that the next case shows a bucket not yet seen is at most this.
+  std::optional<double> until_risk{};
   /// The run ends with the first such case; those behind it are counted in part.
   std::function<bool(const Judgement&)> ends_with{};
   bool has_ties = false;  ///< new ties are findings to save, too

@@ -17,6 +17,7 @@
 #include "base/json.hpp"
 #include "campaign/hints/hint.hpp"
 #include "campaign/plan.hpp"
+#include "campaign/risk/risk.hpp"
 #include "corpus/corpus.hpp"
 #include "judging/bucket.hpp"
 #include "judging/judge.hpp"
@@ -56,6 +57,7 @@ struct BucketResult {
   std::string objection{};      ///< why not, where it accepts less
   bool is_in_baseline = false;  ///< it is known, and no worse than in the baseline
   std::map<std::string, std::uint64_t> regimes{};  ///< the count in each where it was met
+  std::map<std::string, std::uint64_t> agreed{};   ///< of these, agreed contacts
 };
 
 /// Which cases were run: of each regime so many from `first` on, under a seed.
@@ -111,6 +113,9 @@ struct CampaignResult {
   std::vector<LedgerResult> ledger;
   std::vector<BucketResult> buckets;
   std::vector<Hint> hints{};  ///< known mistakes of an adapter that make the wrong answers
+  /// The chance that an interval of the risk misses; none: what is needed was not counted.
+  std::optional<double> risk_error{};
+  std::string ended_by{};  ///< risk, cases, seconds or another, where the risk was to end it
 
   std::uint64_t cases() const { return sum_of(regimes, &RegimeTally::cases); }
   std::uint64_t touching() const { return sum_of(regimes, &RegimeTally::touching); }

@@ -3,15 +3,16 @@
 
 #include <fmt/format.h>
 
+#include "campaign/counts_json.hpp"
 #include "campaign/hints/hint_json.hpp"
 #include "campaign/result.hpp"
+#include "campaign/risk/risk_json.hpp"
 
 namespace manifuzz {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Count = std::uint64_t;
-using OfRegimes = std::map<std::string, Count>;
 
 template <class T>
 Json or_null(const std::optional<T>& value) {
@@ -32,6 +33,10 @@ Json json_of(const RegimeResult& regime) {
             {"near", regime.near},
             {"unexplained", regime.unexplained}};
   if (regime.frames > 0) json["frames"] = regime.frames;
+  if (regime.agreed > 0) {
+    json["agreed_contacts"] = regime.agreed;
+    json["agreed_contacts_judged"] = regime.agreed_judged;
+  }
   return json;
 }
 
@@ -58,6 +63,7 @@ Json json_of(const BucketResult& found) {
             {"accepted", found.is_accepted},
             {"in_baseline", found.is_in_baseline}};
   if (!found.objection.empty()) json["objection"] = found.objection;
+  if (!found.agreed.empty()) json["agreed_contacts"] = found.agreed;
   return json;
 }
 
@@ -78,38 +84,11 @@ Count whole_in(const JsonView& object, std::string_view key) {
   return object.at(key).whole_number();
 }
 
-Count count_in(const JsonView& object, std::string_view key) {
-  const JsonView member = object.at(key);
-  const Count count = member.whole_number();
-  if (count <= kCountMax) return count;
-  member.fail(fmt::format("{} is no count; at most {} is expected", count, kCountMax));
-}
-
-Count count_or(const JsonView& object, std::string_view key, Count otherwise) {
-  return object.find(key) ? count_in(object, key) : otherwise;
-}
-
-bool flag_in(const JsonView& object, std::string_view key) {
-  const auto member = object.find(key);
-  return member && member->boolean();
-}
-
-std::map<std::string, Count> read_counts(const JsonView& object) {
-  std::map<std::string, Count> counts;
-  for (const std::string_view name : object.keys()) counts.emplace(name, count_in(object, name));
-  return counts;
-}
-
-std::vector<std::string> read_texts(const JsonView& list) {
-  std::vector<std::string> texts;
-  for (const JsonView& text : list.elements()) texts.emplace_back(text.string());
-  return texts;
-}
-
 RegimeResult read_regime(const JsonView& row) {
   const std::string name(row.at("name").string());
   return {{count_in(row, "cases"), count_in(row, "touching"), count_in(row, "near"),
-           count_in(row, "unexplained"), count_or(row, "frames", 0)},
+           count_in(row, "unexplained"), count_or(row, "frames", 0),
+           count_or(row, "agreed_contacts", 0), count_or(row, "agreed_contacts_judged", 0)},
           name};
 }
 
@@ -133,7 +112,8 @@ BucketResult read_bucket(const JsonView& row, Count seed) {
           .is_accepted = flag_in(row, "accepted"),
           .objection = row.string_or("objection", ""),
           .is_in_baseline = flag_in(row, "in_baseline"),
-          .regimes = row.find("regimes") ? read_counts(row.at("regimes")) : OfRegimes{}};
+          .regimes = counts_or_none(row, "regimes"),
+          .agreed = counts_or_none(row, "agreed_contacts")};
 }
 
 CasesRun read_part(const JsonView& part) {
@@ -252,6 +232,7 @@ Json json_of(const CampaignResult& result) {
   json["buckets"] = list_of(result.buckets);
   json["hints"] = list_of(result.hints);
   if (result.parts.size() > 1) json["parts"] = list_of(result.parts);
+  add_risk(result, json);
   return json;
 }
 
@@ -289,6 +270,7 @@ CampaignResult read_campaign_result(const JsonView& root) {
       read_list(root.at("buckets"), [&](const JsonView& row) { return read_bucket(row, seed); });
   result.hints = read_list(root.find("hints"), read_hint);
   expect_disjoint(root, result.parts);
+  read_risk(root, result);
   return result;
 }
 

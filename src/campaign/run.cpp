@@ -30,35 +30,68 @@ JobsResult run_round(const Plan& plan, SharedQueue::Block cases, Interruption& i
   return again;
 }
 
-/// Every case of the plan, or, where it ends at what is new and wrong, rounds of them, up to the
-/// first such case: any number of jobs ends at the same.
-JobsResult run_plan(const Plan& plan, const Known& known, Interruption& interruption,
-                    const OnProgress& on_progress) {
-  const CaseNumber end = plan.cases_max();
-  if (!plan.until_new) return run_jobs(plan, {0, end}, interruption, on_progress);
+/// How a plan runs in rounds.
+struct Rounds {
+  std::function<CaseNumber(CaseNumber done)> length;
+  std::function<void(JobsResult& so_far)> look;  ///< sets what ends it
+};
+
+/// Rounds of the plan's cases, until one of them, time or a look ends it.
+JobsResult run_rounds(Plan plan, const Rounds& rounds, Interruption& interruption,
+                      const OnProgress& on_progress) {
   JobsResult all{.tally = std::make_unique<Tally>()};
-  Plan rest = plan;  // with the time that is left
-  rest.ends_with = [&](const Judgement& judgement) {
-    return is_new_and_wrong(judgement, plan, known);
-  };
-  CaseNumber length = kFirstRound;
-  for (CaseNumber begin = 0; begin < end; begin += length) {
-    if (begin > 0) length = std::min(2 * length, kLongestRound);
-    length = std::min(length, end - begin);
-    if (plan.seconds) rest.seconds = *plan.seconds - all.seconds;
+  const std::optional<double> seconds = plan.seconds;
+  const CaseNumber end = plan.cases_max();
+  for (CaseNumber begin = 0, length = 0; begin < end; begin += length) {
+    length = std::min(rounds.length(begin), end - begin);
+    if (seconds) plan.seconds = *seconds - all.seconds;  // what is left
     JobsResult round =
-        run_round(rest, {begin, begin + length}, interruption, [&](const Progress& so_far) {
+        run_round(plan, {begin, begin + length}, interruption, [&](const Progress& so_far) {
           const auto tally = std::make_unique<Tally>(so_far.tally);
           tally->add(*all.tally);
           on_progress({*tally, all.seconds + so_far.seconds});
         });
     round.tally->add(*all.tally);
     round.seconds += all.seconds;
+    round.looks = all.looks;
     all = std::move(round);
-    const bool is_time_up = plan.seconds && all.seconds >= *plan.seconds;
-    if (all.interrupted || all.given_up != Fault::none || is_time_up || all.sought) break;
+    rounds.look(all);
+    const bool is_time_up = seconds && all.seconds >= *seconds;
+    if (all.interrupted || all.given_up != Fault::none || is_time_up) break;
+    if (all.sought || all.is_risk_met) break;
   }
   return all;
+}
+
+/// Up to the first case of something new and wrong: any number of jobs ends at the same.
+JobsResult run_until_new(Plan plan, const Known& known, Interruption& interruption,
+                         const OnProgress& on_progress) {
+  plan.ends_with = [&known, asked = plan](const Judgement& judgement) {
+    return is_new_and_wrong(judgement, asked, known);
+  };
+  const Rounds rounds{[](CaseNumber done) { return std::min(done + kFirstRound, kLongestRound); },
+                      [](JobsResult&) {}};
+  return run_rounds(std::move(plan), rounds, interruption, on_progress);
+}
+
+/// Looks at the risk whenever there are twice as many cases, and at the end.
+JobsResult run_until_risk(const Plan& plan, Interruption& interruption,
+                          const OnProgress& on_progress) {
+  const Rounds rounds{[](CaseNumber done) { return std::max(done, kFirstRound); },
+                      [&plan](JobsResult& so_far) {
+                        const double error = error_of_look(++so_far.looks);
+                        so_far.is_risk_met =
+                            risk_of_all(*so_far.tally, plan, error).any.high <= *plan.until_risk;
+                      }};
+  return run_rounds(plan, rounds, interruption, on_progress);
+}
+
+/// Every case of the plan, or those up to what ends it.
+JobsResult run_plan(const Plan& plan, const Known& known, Interruption& interruption,
+                    const OnProgress& on_progress) {
+  if (plan.until_new) return run_until_new(plan, known, interruption, on_progress);
+  if (plan.until_risk) return run_until_risk(plan, interruption, on_progress);
+  return run_jobs(plan, {0, plan.cases_max()}, interruption, on_progress);
 }
 
 /// What a collider does not claim, and what else its declaration keeps from being judged.
@@ -112,11 +145,12 @@ void add_provenance(CampaignResult& result, const nlohmann::ordered_json& proven
   }
 }
 
-std::map<std::string, std::uint64_t> counts_of(const Finding& finding, const Plan& plan) {
+/// Those that are not 0, by the regimes' names.
+std::map<std::string, std::uint64_t> counts_of(std::span<const std::uint64_t> regimes,
+                                               const Plan& plan) {
   std::map<std::string, std::uint64_t> counts;
   for (std::size_t r = 0; r < plan.regimes.size(); ++r) {
-    const std::uint64_t count = finding.tally.regimes[r];
-    if (count > 0) counts[std::string(plan.regimes[r]->name)] = count;
+    if (regimes[r] > 0) counts[std::string(plan.regimes[r]->name)] = regimes[r];
   }
   return counts;
 }
@@ -136,7 +170,8 @@ BucketResult bucket_result(const Finding& finding, const Plan& plan, const std::
           .is_new = finding.is_new,
           .is_accepted = finding.is_accepted,
           .objection = finding.objection,
-          .regimes = counts_of(finding, plan)};
+          .regimes = counts_of(finding.tally.regimes, plan),
+          .agreed = counts_of(finding.tally.agreed, plan)};
 }
 
 /// What is accepted is no more unexplained in its regimes.
@@ -146,6 +181,14 @@ void count_as_accepted(const BucketResult& found, CampaignResult& result) {
     if (count != found.regimes.end())
       regime.unexplained -= std::min(regime.unexplained, count->second);
   }
+}
+
+/// What a campaign that the risk was to end was ended by.
+std::string end_of(const JobsResult& run, const Plan& plan) {
+  if (run.is_risk_met) return "risk";
+  if (run.interrupted) return "interruption";
+  if (run.given_up != Fault::none) return "lost answers";
+  return plan.seconds && run.seconds >= *plan.seconds ? "seconds" : "cases";
 }
 
 CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
@@ -164,6 +207,8 @@ CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
   result.unshrunk = campaign.saving.unshrunk;
   result.stopped_early = campaign.run.given_up != Fault::none;
   result.budgets_hold = holds_budgets(plan);
+  result.risk_error = plan.until_risk ? error_of_look(campaign.run.looks) : kRiskError;
+  if (plan.until_risk) result.ended_by = end_of(campaign.run, plan);
   CasesRun part{plan.seed, plan.first, {}, campaign.run.seconds};
   for (std::size_t i = 0; i < plan.regimes.size(); ++i) {
     result.regimes.push_back({tally.regimes[i], std::string(plan.regimes[i]->name)});

@@ -26,6 +26,8 @@ struct JobsResult {
   double seconds = 0;                  ///< since the first answer
   bool interrupted = false;            ///< somebody asked to stop before the plan was done
   std::optional<CaseNumber> sought{};  ///< the first with which the plan is to end
+  std::uint64_t looks = 0;             ///< at the risk, where that is to end it
+  bool is_risk_met = false;            ///< at the last of them it was low enough
   /// Who gave no answer again and again, which ended it.
   Fault given_up = Fault::none;
   std::string why_given_up{};  ///< what became of its last answer, in words

@@ -140,6 +140,18 @@ CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<do
   return app.add_option_function<std::string>(name, read, description)->type_name("X");
 }
 
+CLI::Option* add_chance(CLI::App& app, const std::string& name, std::optional<double>& to,
+                        const std::string& description) {
+  const auto read = [name, &to](const std::string& text) {
+    to = parse_number<double>(text);
+    if (to && *to > 0 && *to <= 1) return;
+    throw CLI::ValidationError(
+        name,
+        fmt::format("'{}' is no chance; a number above 0, up to 1, is expected", printable(text)));
+  };
+  return app.add_option_function<std::string>(name, read, description)->type_name("P");
+}
+
 std::string not_blank(const std::string& text) {
   return text.find_first_not_of(" \t\n") == std::string::npos ? "is empty" : "";
 }

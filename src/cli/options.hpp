@@ -37,6 +37,10 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name,
 CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<double>& to,
                         const std::string& description);
 
+/// An option that takes a number above 0, up to 1.
+CLI::Option* add_chance(CLI::App& app, const std::string& name, std::optional<double>& to,
+                        const std::string& description);
+
 /// A check that an option's text is not blank: what is wrong, or nothing.
 std::string not_blank(const std::string& text);
 

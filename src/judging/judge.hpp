@@ -22,7 +22,8 @@ struct Judgement {
   int points_missing = 0;                    ///< of the wrong answer; below zero: it has too many
   const LedgerEntry* explanation = nullptr;  ///< set where the verdict is known
   bool is_judged = false;                    ///< not only compared
-  AnswerError of_subject{};                  ///< how wrong it is; none where it is right
+  bool is_agreed_contact = false;  ///< both plainly agree on a contact: a sample of these is judged
+  AnswerError of_subject{};        ///< how wrong it is; none where it is right
   AnswerError of_oracle{};
   bool is_by_tolerance = false;  ///< an answer is right, but only by the tolerance it declares
   std::optional<std::size_t> frame{};  ///< of several: the one that decides

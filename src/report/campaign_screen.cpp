@@ -10,6 +10,7 @@
 #include "report/campaign_text.hpp"
 #include "report/outputs.hpp"
 #include "report/overview.hpp"
+#include "report/risk_text.hpp"
 
 namespace manifuzz {
 namespace {
@@ -19,7 +20,7 @@ using Lines = std::vector<std::string>;
 constexpr std::size_t kScreenLines = 24;
 constexpr std::size_t kCausesShown = 5;
 constexpr std::size_t kFindingsShown = 5;
-constexpr std::size_t kRemarksShown = 6;
+constexpr std::size_t kRemarksShown = 5;
 constexpr std::size_t kCauseLength = 138;
 
 /// As much of a sentence as a line holds, whole words.
@@ -92,6 +93,7 @@ Lines stale_lines(std::span<const std::string> files) {
 Lines head_of(const Campaign& campaign, const CampaignOverview& overview) {
   Lines lines = split_lines(campaign_heading(campaign));
   lines.push_back(overview.verdicts);
+  std::ranges::move(split_lines(risk_in_words(campaign.result)), std::back_inserter(lines));
   lines.emplace_back();
   lines.push_back(overview.subject);
   if (!overview.oracle.empty()) lines.push_back(overview.oracle);

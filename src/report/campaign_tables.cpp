@@ -5,6 +5,7 @@
 #include "campaign/result.hpp"
 #include "report/campaign_text.hpp"
 #include "report/outputs.hpp"
+#include "report/risk_text.hpp"
 #include "report/rows.hpp"
 #include "report/sequence/sequence_report.hpp"
 #include "report/words.hpp"
@@ -141,7 +142,8 @@ std::string campaign_heading(const Campaign& campaign) {
 }
 
 std::string remarks_on_campaign(const Campaign& campaign) {
-  std::string text = state_in_words(campaign) + lines_of(campaign.result.hints, hint_line) +
+  std::string text = state_in_words(campaign) + end_by_risk_in_words(campaign) +
+                     lines_of(campaign.result.hints, hint_line) +
                      over_budget_lines(campaign.result);
   if (campaign.plan.until_new && !campaign.run.sought && !has_new(campaign.findings)) {
     text += "nothing new: the corpus shows each of these already\n";
@@ -154,6 +156,7 @@ std::string summary_table(const Campaign& campaign, const std::optional<Campaign
   std::string text = fmt::format("{}\n{}", campaign_heading(campaign),
                                  result.has_frames() ? motion_rows(result) : regime_rows(result));
   text += '\n' + verdict_rows(result);
+  if (const std::string risk = risk_rows(result); !risk.empty()) text += '\n' + risk;
   if (!result.ledger.empty()) text += '\n' + ledger_rows(result);
   if (!result.buckets.empty()) text += '\n';
   text += lines_of(result.buckets, bucket_rows);

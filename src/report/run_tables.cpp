@@ -25,6 +25,7 @@ std::string progress_line(const Plan& plan, const Progress& progress) {
                   tally.cases(), plan.work->noun(), a_second, tally.count(Verdict::agree),
                   tally.count(Verdict::tie), tally.count(Verdict::known), tally.unexplained());
   if (plan.until_new) line += "; waiting for a new bucket";
+  if (plan.until_risk) line += fmt::format("; until the risk is at most {:g}", *plan.until_risk);
   if (plan.seconds || plan.cases) line += fmt::format("; {:.0f} s left", std::max(0.0, left));
   return line;
 }

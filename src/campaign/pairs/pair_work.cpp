@@ -127,11 +127,16 @@ bool is_sampled(const Plan& plan, CaseNumber number) {
 Judgement judgement_on(const Plan& plan, CaseNumber number,
                        const std::shared_ptr<const exact::Truth>& truth,
                        const ColliderAnswer& subject, const ColliderAnswer& oracle) {
-  if (!is_sampled(plan, number) && plainly_agree(*truth, subject, oracle)) {
-    // That neither reports a contact is held exactly in comparing them.
-    return {.is_judged = !touches(subject.answer)};
+  if (plan.judge_every == 1) return judge(truth, subject, oracle);
+  const bool agree = plainly_agree(*truth, subject, oracle);
+  // That neither reports a contact is held exactly in comparing them.
+  const bool is_agreed_contact = agree && touches(subject.answer);
+  if (agree && !is_sampled(plan, number)) {
+    return {.is_judged = !is_agreed_contact, .is_agreed_contact = is_agreed_contact};
   }
-  return judge(truth, subject, oracle);
+  Judgement judgement = judge(truth, subject, oracle);
+  judgement.is_agreed_contact = is_agreed_contact;
+  return judgement;
 }
 
 std::uint64_t WorkOnPairs::block_length() const {

@@ -41,6 +41,7 @@ struct FuzzArguments {
   CorpusFolders folders;
   std::string json;
   bool until_new = false;
+  std::optional<double> until_risk;
   bool is_verbose = false;
   bool has_ties = false;
   std::optional<double> shrink_seconds;
@@ -70,6 +71,16 @@ void plan_cases(Plan& plan, const FuzzArguments& options) {
   narrow_to_colliders(plan);
 }
 
+/// A campaign that the risk is to end has a regime that has one.
+void expect_risk(const Plan& plan) {
+  const bool has_risk = std::ranges::any_of(
+      plan.regimes, [](const Regime* regime) { return !has_no_risk(regime->name); });
+  if (!plan.until_risk || has_risk) return;
+  throw UserError(
+      "--until-risk: what the regime corpus can show depends on the corpus, so it has no risk; add "
+      "another --regime");
+}
+
 /// All of the plan that options decide; what is wrong with them comes before a seed is drawn.
 Plan plan_of(const FuzzArguments& options) {
   Plan plan;
@@ -79,10 +90,12 @@ Plan plan_of(const FuzzArguments& options) {
   expect_indices(plan.first, plan.cases.value_or(1), plan.regimes.size());
   if (!options.share.empty()) narrow_to_share(share_of(options.share), plan);
   plan.until_new = options.until_new;
+  plan.until_risk = options.until_risk;
+  expect_risk(plan);
   plan.has_ties = options.has_ties;
   plan.seconds = options.seconds;
-  const bool is_unlimited = !options.cases && !options.seconds && !options.until_new;
-  if (is_unlimited) plan.seconds = kDefaultSeconds;
+  const bool has_end = options.cases || options.seconds || options.until_new || options.until_risk;
+  if (!has_end) plan.seconds = kDefaultSeconds;
   const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
   plan.jobs = static_cast<int>(options.jobs.value_or(cores));
   plan.judge_every = options.judge_every.value_or(usual_judge_every(plan.subject, plan.oracle));
@@ -190,13 +203,20 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   app.add_flag("--until-new", options.until_new,
                "stop at the first wrong case that the corpus does not show; without --cases and "
                "--seconds the run has no other end");
+  add_chance(
+      app, "--until-risk", options.until_risk,
+      "stop once the chance that the next case shows a bucket not yet seen is at most P, by "
+      "the upper end of its interval (see --help words: risk); without --cases and --seconds "
+      "the run has no other end")
+      ->excludes("--until-new");
   add_text(
       app, "--share", options.share, "K/N",
       "run the share K of N, K from 0 to N - 1, of the cases that --seed and --cases give; all "
       "shares, merged, are the whole run")
       ->needs("--seed")
       ->needs("--cases")
-      ->excludes("--until-new");
+      ->excludes("--until-new")
+      ->excludes("--until-risk");
   app.add_flag("--ties", options.has_ties, "shrink and save new ties, too");
   add_length(app, "--shrink-seconds", options.shrink_seconds,
              "seconds to spend on shrinking all findings; default: 10");

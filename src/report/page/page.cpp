@@ -12,6 +12,7 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "campaign/risk/curve.hpp"
 #include "report/glossary.hpp"
 #include "report/outputs.hpp"
 #include "report/overview.hpp"
@@ -48,6 +49,15 @@ Json overview_json(const CampaignResult& result) {
   return json;
 }
 
+/// Cases, and the buckets and wrong buckets met in so many.
+Json curve_json(const CampaignResult& result) {
+  Json points = Json::array();
+  for (const CurvePoint& point : bucket_curve(result)) {
+    points.push_back({point.cases, point.buckets, point.wrong});
+  }
+  return points;
+}
+
 Json data_of(const RunFiles& files, const std::vector<PageCase>& cases,
              const std::string& command) {
   Json data{{"format", "manifuzz/report/1"},
@@ -59,7 +69,10 @@ Json data_of(const RunFiles& files, const std::vector<PageCase>& cases,
   for (const ResultFile& result : files.results) {
     data["sources"].push_back({{"path", result.path}, {"kind", result.kind}, {"cases", nullptr}});
     Json run{{"path", result.path}, {"result", result.json}};
-    if (result.campaign) run["overview"] = overview_json(*result.campaign);
+    if (result.campaign) {
+      run["overview"] = overview_json(*result.campaign);
+      run["curve"] = curve_json(*result.campaign);
+    }
     data[std::string(result.kind)].push_back(std::move(run));
   }
   if (!cases.empty()) {

@@ -30,7 +30,7 @@ function listOf(all, itemOf, restInWords) {
     rest.length > 0 && element("p", { class: "quiet" }, restInWords(rest))];
 }
 
-function overviewOf({ result, overview }) {
+function overviewOf({ result, overview, curve }) {
   if (!overview) return null;
   const { verdicts, subject, oracle, causes, findings } = overview;
   return element("article", { class: "overview" }, element("h2", {}, pairOf(result)),
@@ -39,5 +39,6 @@ function overviewOf({ result, overview }) {
     ...listOf(findings, findingItem, (rest) => `${counted(rest.length, "other kind")}: see the buckets below`),
     (result.hints ?? []).map(({ text }) => element("p", { class: "hint" }, `Hint: ${text}`)),
     oracle && element("h3", {}, oracle),
-    ...listOf(causes, causeItem, (rest) => `${counted(rest.length, "other cause")}: ${whole(rest.reduce((sum, { hits }) => sum + hits, 0))} times`));
+    ...listOf(causes, causeItem, (rest) => `${counted(rest.length, "other cause")}: ${whole(rest.reduce((sum, { hits }) => sum + hits, 0))} times`),
+    ...riskParts({ result, curve }));
 }
