@@ -31,6 +31,7 @@ std::span<const Command> commands() {
        "that keeps points gets sequences of the motions named by --regime, and is judged alone.",
        "manifuzz fuzz --regime sliver --seed 1 --cases 100000\n"
        "manifuzz fuzz --until-new --regime sliver --seed 1 --cases 20000\n"
+       "manifuzz fuzz --until-risk 0.001 --regime sliver --judge-every 8 --seed 1\n"
        "manifuzz fuzz --subject cached --regime turning_platform --seed 1 --cases 1000",
        define_fuzz},
       {"hunt",

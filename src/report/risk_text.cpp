@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "report/rows.hpp"
 
@@ -51,9 +50,9 @@ std::string end_by_risk_in_words(const Campaign& campaign) {
   const CampaignResult& result = campaign.result;
   const std::vector<RiskRow> rows = risk_of(result);
   if (result.ended_by.empty() || rows.empty()) return "";
-  const std::string risk = fmt::format("the risk is at most {} in a million after {}",
-                                       in_a_million(rows.back().any.high),
-                                       counted(result.cases(), campaign.plan.work->noun()));
+  const std::string risk =
+      fmt::format("the risk is at most {} in a million after {} {}",
+                  in_a_million(rows.back().any.high), result.cases(), campaign.plan.work->noun());
   if (result.ended_by == "risk") return fmt::format("ended by --until-risk: {}\n", risk);
   const bool is_limit = result.ended_by == "cases" || result.ended_by == "seconds";
   return fmt::format("ended by {}{}, before --until-risk: {}\n", is_limit ? "--" : "",

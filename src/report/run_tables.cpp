@@ -7,6 +7,7 @@
 #include "measure/scene/scene_list.hpp"
 #include "report/campaign_text.hpp"
 #include "report/outputs.hpp"
+#include "report/risk_text.hpp"
 #include "report/rows.hpp"
 
 namespace manifuzz {
@@ -40,7 +41,9 @@ std::string merged_text(const MergedRuns& runs, std::size_t cases, const std::st
   for (std::size_t i = 0; i < kVerdictNames.size(); ++i) {
     text += fmt::format("{:<18}{:>14}\n", kVerdictNames[i], runs.result->verdicts[i]);
   }
-  return text + fmt::format("{:<18}{:>14}\n", "cases", runs.result->cases());
+  text += fmt::format("{:<18}{:>14}\n", "cases", runs.result->cases());
+  const std::string risk = risk_in_words(*runs.result);
+  return risk.empty() ? text : text + risk + '\n';
 }
 
 std::string collider_line(const Declaration& declaration) {

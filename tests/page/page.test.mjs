@@ -47,6 +47,24 @@ onPage('the page holds a section for each part and names the verdict', {}, async
   assert.match(await page.textContent('h1'), /2 replayed cases failed/);
 });
 
+test('what is left to find is a sentence, a curve of buckets against cases, and a table by regime', async () => {
+  const {path: file, result} = fixture('fuzz');
+  const row = (regime, once) => ({regime, cases: 2000, once, next: once / 2000, low: 0, high: 0.0123, wrong: {once: 0, next: 0, low: 0, high: 0.0018}});
+  const fuzz = [{path: file, result: {...result, risk: [row('boxes', 1), row('all', 3)]}, overview: {verdicts: '', subject: '', oracle: '', causes: [], findings: []},
+    curve: [[1, 1, 0], [40, 2, 1], [4000, 2, 1]]}];
+  const opened = await browser.open(browser.write(reportOf({fuzz})));
+  const {page} = opened;
+  assert.match(await page.textContent('.overview'), /A bucket not yet seen: 1,500 in a million further cases \(95% interval: 0 to 12,300\)\. A wrong one: 0 \(0 to 1,800\)\./);
+  assert.equal(await page.locator('.curve-plot path.line').count(), 2);
+  const labels = await page.locator('.curve-plot .mark-target').evaluateAll((marks) => marks.map((mark) => mark.getAttribute('aria-label')));
+  assert.ok(labels.includes('buckets, 2 buckets in 40 cases'));
+  assert.ok(labels.includes('with somebody wrong, 1 bucket in 4,000 cases'));
+  await page.getByText('By regime, in a million').click();
+  assert.match(await page.textContent('.overview table tbody'), /boxes.*500.*all.*1,500/);
+  assert.deepEqual(opened.troubles, []);
+  await opened.close();
+});
+
 onPage('chips filter by verdict, and their counts are right', {}, async (page) => {
   assert.equal(await shownCount(page), cases.length);
   for (const verdict of ['known', 'tie', 'agree']) {

@@ -29,7 +29,7 @@ function stairs(points) {
 }
 
 // A point is [cases, buckets, wrong buckets].
-function drawCurve(chart, { x, y }, curve, [name, color, column]) {
+function drawBuckets(chart, { x, y }, curve, [name, color, column]) {
   const steps = curve.filter((point, i) => i === 0 || i === curve.length - 1 || point[column] > curve[i - 1][column]);
   chartLine(chart, `line ${color}`, stairs([[x(1), y(0)], ...steps.map((point) => [x(point[0]), y(point[column])])]));
   for (const point of steps) {
@@ -38,7 +38,7 @@ function drawCurve(chart, { x, y }, curve, [name, color, column]) {
   }
 }
 
-function curveFigure(read) {
+function bucketsFigure(read) {
   const curve = read.map((point) => point.map(Number));
   const most = curve.at(-1)?.[1];
   if (!(most > 0)) return null;
@@ -54,7 +54,7 @@ function curveFigure(read) {
   }
   chartText(chart, "axis", 12, (top + bottom) / 2, "different buckets seen", "middle", { transform: `rotate(-90 12 ${pixels((top + bottom) / 2)})` });
   drawX(chart, x, "cases", decadeTicks(x.low, x.high, 9));
-  for (const one of CURVES) drawCurve(chart, { x, y }, curve, one);
+  for (const one of CURVES) drawBuckets(chart, { x, y }, curve, one);
   return element("figure", { class: "curve-plot" }, chart.svg, legend(CURVES.map(([name, color]) => [color, name])));
 }
 
@@ -66,7 +66,7 @@ function riskTable(rows) {
 }
 
 function riskParts({ result: { risk = [] }, curve = [] }) {
-  const figure = curveFigure(curve);
+  const figure = bucketsFigure(curve);
   if (!figure && risk.length === 0) return [];
   return [element("h3", {}, "What is left to find"), risk.length > 0 && element("p", {}, riskSentence(risk.at(-1))), figure,
     risk.length > 0 && disclosure("By regime, in a million further cases", () => riskTable(risk))];

@@ -111,7 +111,7 @@ Plan plan_of_pieces() {
 
 }  // namespace
 
-// Ten minutes; scripts/README.md has the command and what it said.
+// It takes ten minutes; src/campaign/README.md has what it printed.
 TEST_CASE("the intervals of many pieces of one campaign hold for its other cases", "[.pieces]") {
   const std::uint64_t pieces = number_from("MANIFUZZ_PIECES", 2000);
   const std::uint64_t cases = number_from("MANIFUZZ_PIECE", 5000);
