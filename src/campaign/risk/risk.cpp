@@ -52,6 +52,35 @@ std::uint64_t count_in(const std::map<std::string, std::uint64_t>& counts,
   return count == counts.end() ? 0 : count->second;
 }
 
+struct RowOfRegime {
+  std::string name;
+  RowCounts counts;
+};
+
+/// Those of the regimes that have a risk, and of `all` together.
+std::vector<RowOfRegime> count_rows(const CampaignResult& result, RowCounts& all) {
+  std::vector<RowOfRegime> rows;
+  for (const RegimeResult& regime : result.regimes) {
+    if (has_no_risk(regime.name)) continue;
+    rows.push_back({regime.name, {.cases = regime}});
+    all.cases.add(regime);
+  }
+  for (const BucketResult& found : result.buckets) {
+    const bool is_wrong = is_of_fault(found.bucket);
+    std::uint64_t count = 0;
+    std::uint64_t agreed = 0;
+    for (auto& [name, counts] : rows) {
+      const std::uint64_t count_here = count_in(found.regimes, name);
+      const std::uint64_t agreed_here = std::min(count_here, count_in(found.agreed, name));
+      counts.meet(count_here, agreed_here, is_wrong);
+      count += count_here;
+      agreed += agreed_here;
+    }
+    all.meet(count, agreed, is_wrong);
+  }
+  return rows;
+}
+
 }  // namespace
 
 double error_of_look(std::uint64_t look) {
@@ -68,37 +97,22 @@ bool has_no_risk(std::string_view regime) {
   return regime == "corpus";
 }
 
+void expect_risk(const Plan& plan) {
+  const bool has_risk = std::ranges::any_of(
+      plan.regimes, [](const Regime* regime) { return !has_no_risk(regime->name); });
+  if (!plan.until_risk || has_risk) return;
+  throw UserError(
+      "--until-risk: what the regime corpus can show depends on the corpus, so it has no risk; add "
+      "another --regime");
+}
+
 std::vector<RiskRow> risk_of(const CampaignResult& result) {
   if (!result.risk_error) return {};
-  std::vector<const RegimeResult*> regimes;
-  for (const RegimeResult& regime : result.regimes) {
-    if (!has_no_risk(regime.name)) regimes.push_back(&regime);
-  }
-  if (regimes.empty()) return {};
-  std::vector<RowCounts> rows(regimes.size());
   RowCounts all;
-  for (std::size_t i = 0; i < regimes.size(); ++i) {
-    rows[i].cases = *regimes[i];
-    all.cases.add(*regimes[i]);
-  }
-  for (const BucketResult& found : result.buckets) {
-    const bool is_wrong = is_of_fault(found.bucket);
-    std::uint64_t count = 0;
-    std::uint64_t agreed = 0;
-    for (std::size_t i = 0; i < regimes.size(); ++i) {
-      const std::uint64_t count_here = count_in(found.regimes, regimes[i]->name);
-      const std::uint64_t agreed_here =
-          std::min(count_here, count_in(found.agreed, regimes[i]->name));
-      rows[i].meet(count_here, agreed_here, is_wrong);
-      count += count_here;
-      agreed += agreed_here;
-    }
-    all.meet(count, agreed, is_wrong);
-  }
+  const std::vector<RowOfRegime> rows = count_rows(result, all);
+  if (rows.empty()) return {};
   std::vector<RiskRow> risk;
-  for (std::size_t i = 0; i < regimes.size(); ++i) {
-    risk.push_back(row_of(regimes[i]->name, rows[i], *result.risk_error));
-  }
+  for (const auto& [name, counts] : rows) risk.push_back(row_of(name, counts, *result.risk_error));
   risk.push_back(row_of(kAllRegimes, all, *result.risk_error));
   return risk;
 }

@@ -54,6 +54,10 @@ bool is_of_fault(const std::string& bucket);
 /// Whether the regime has no row.
 bool has_no_risk(std::string_view regime);
 
+/// Throws UserError that names --until-risk where the risk is to end the plan and no regime has
+/// one.
+void expect_risk(const Plan& plan);
+
 /// A row for each regime, then one for all; none where no regime has one, or where the result is of
 /// a version that did not count what is needed.
 std::vector<RiskRow> risk_of(const CampaignResult& result);

@@ -71,16 +71,6 @@ void plan_cases(Plan& plan, const FuzzArguments& options) {
   narrow_to_colliders(plan);
 }
 
-/// A campaign that the risk is to end has a regime that has one.
-void expect_risk(const Plan& plan) {
-  const bool has_risk = std::ranges::any_of(
-      plan.regimes, [](const Regime* regime) { return !has_no_risk(regime->name); });
-  if (!plan.until_risk || has_risk) return;
-  throw UserError(
-      "--until-risk: what the regime corpus can show depends on the corpus, so it has no risk; add "
-      "another --regime");
-}
-
 /// All of the plan that options decide; what is wrong with them comes before a seed is drawn.
 Plan plan_of(const FuzzArguments& options) {
   Plan plan;
@@ -205,9 +195,8 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
                "--seconds the run has no other end");
   add_chance(
       app, "--until-risk", options.until_risk,
-      "stop once the chance that the next case shows a bucket not yet seen is at most P, by "
-      "the upper end of its interval (see --help words: risk); without --cases and --seconds "
-      "the run has no other end")
+      "stop once the next case shows a bucket not yet seen with a chance of at most P, with 95% "
+      "confidence; without --cases and --seconds the run has no other end")
       ->excludes("--until-new");
   add_text(
       app, "--share", options.share, "K/N",

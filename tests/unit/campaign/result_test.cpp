@@ -32,7 +32,7 @@ CampaignResult sample() {
   result.of_oracle[Component::excess] = 0.25;
   result.stopped_early = true;
   result.budgets_hold = true;
-  result.regimes = {{{60, 30, 20, 1}, "boxes"}, {{40, 10, 5, 0}, "grid"}};
+  result.regimes = {{{60, 30, 20, 1, 0, 20, 5}, "boxes"}, {{40, 10, 5, 0}, "grid"}};
   result.ledger = {{"entry", 4, {{"boxes", 3}, {"grid", 1}}, {"grid"}}};
   const double beyond = std::numeric_limits<double>::infinity();
   const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
@@ -44,6 +44,9 @@ CampaignResult sample() {
   for (BucketResult& found : result.buckets) found.regimes = {{"boxes", 1}};
   result.hints = {{"reversed-normal", 30, 29, "the normal points from B to A"}};
   result.stale = {"b.json"};
+  result.buckets[0].agreed = {{"boxes", 1}};
+  result.risk_error = error_of_look(2);
+  result.ended_by = "cases";
   result.parts = {{3, most, {{"boxes", 20}}, 0.5}, {most, 7, {{"boxes", 40}, {"grid", 40}}, 1}};
   return result;
 }
