@@ -145,7 +145,7 @@ void add_provenance(CampaignResult& result, const nlohmann::ordered_json& proven
   }
 }
 
-/// Those that are not 0, by the regimes' names.
+/// What is not 0, by the regimes' names.
 std::map<std::string, std::uint64_t> counts_of(std::span<const std::uint64_t> regimes,
                                                const Plan& plan) {
   std::map<std::string, std::uint64_t> counts;

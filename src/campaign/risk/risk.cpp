@@ -57,7 +57,7 @@ struct RowOfRegime {
   RowCounts counts;
 };
 
-/// Those of the regimes that have a risk, and of `all` together.
+/// What is met in each regime that has a risk; `all` gets it of all together.
 std::vector<RowOfRegime> count_rows(const CampaignResult& result, RowCounts& all) {
   std::vector<RowOfRegime> rows;
   for (const RegimeResult& regime : result.regimes) {

@@ -14,7 +14,7 @@ struct Plan;
 struct Tally;
 
 // What is left to find. Every bucket but that of an agreement counts: ties, ill-posed and
-// unsupported cases show something that was not seen before, too. Of wrong ones, those with
+// unsupported cases show something that was not seen before, too. A wrong bucket has
 // somebody at fault, explained by the ledger or not, known to the corpus or not.
 //
 // A row's cases are of two parts. Where both colliders plainly agree on a contact, one case in
@@ -28,8 +28,8 @@ struct Tally;
 /// The chance that an interval misses: it holds in 95%.
 inline constexpr double kRiskError = 0.05;
 
-/// That of look k, 1, 2, ..., of a campaign that ends by what it sees: all of them together miss
-/// with the chance 0.05, since the sum of 1 / (k (k + 1)) is 1.
+/// The chance that look k, 1, 2, ..., misses, of a campaign that ends by what it sees: all looks
+/// together miss with the chance 0.05, since the sum of 1 / (k (k + 1)) is 1.
 double error_of_look(std::uint64_t look);
 
 /// The chance that the next case shows a bucket not seen.

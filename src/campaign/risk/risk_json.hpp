@@ -12,7 +12,7 @@ namespace manifuzz {
 /// was to end the campaign.
 void add_risk(const CampaignResult& result, nlohmann::ordered_json& json);
 
-/// Reads those of them that the counts beside them do not give. Throws UserError that begins with a
+/// Reads what of it the counts beside it do not give. Throws UserError that begins with a
 /// path.
 void read_risk(const JsonView& root, CampaignResult& result);
 

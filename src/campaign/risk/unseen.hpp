@@ -23,7 +23,7 @@ struct Chance {
 
 /// The chance that a row's next case shows a kind that none of its judged cases has shown.
 ///
-/// Of one part with n judged cases, let kind i come with the chance p_i, X_i times: nearly Poisson
+/// In one part with n judged cases, let kind i come with the chance p_i, X_i times: nearly Poisson
 /// with the mean m_i = n p_i. The chance in question is U, the sum of p_i over all i with X_i = 0.
 /// Kinds with X_i = 1 number N1, and N1 / n has U's mean, for each P(X = 1) is m P(X = 0) (Good and
 /// Turing: I. J. Good, Biometrika 40, 1953). N1 - n U has the mean 0 and is a sum over kinds of

@@ -108,6 +108,9 @@ TEST_CASE("every campaign has the risk of each regime and of all, from what it c
   const Json run = run_of(words);
   CHECK(counted(run) == counted(run_of(with(words, {"--jobs=1"}))));
   CHECK(run["risk"].size() == run["regimes"].size());  // the corpus has none, and all has one
+  Words keys;
+  for (const auto& [key, value] : row_of(run, "all").items()) keys.push_back(key);
+  CHECK(keys == Words{"regime", "cases", "once", "next", "low", "high", "wrong"});
   Words names;
   std::uint64_t cases = 0;
   for (const Json& regime : run["regimes"]) {
