@@ -207,7 +207,10 @@ CampaignResult result_of(const Campaign& campaign, const Origin& origin) {
   result.unshrunk = campaign.saving.unshrunk;
   result.stopped_early = campaign.run.given_up != Fault::none;
   result.budgets_hold = holds_budgets(plan);
-  result.risk_error = plan.until_risk ? error_of_look(campaign.run.looks) : kRiskError;
+  // Cases that are bred from others follow no law that the next one keeps to.
+  if (plan.work->has_budgets()) {
+    result.risk_error = plan.until_risk ? error_of_look(campaign.run.looks) : kRiskError;
+  }
   if (plan.until_risk) result.ended_by = end_of(campaign.run, plan);
   CasesRun part{plan.seed, plan.first, {}, campaign.run.seconds};
   for (std::size_t i = 0; i < plan.regimes.size(); ++i) {

@@ -23,7 +23,7 @@ struct Tally;
 //
 // The regime `corpus` has no row, and its cases are not in that of all: what it can show depends on
 // what the corpus holds, which earlier campaigns have chosen. `ulp` has one: it moves cases of
-// other regimes, never of the corpus.
+// other regimes, never of the corpus. A hunt has no risk: it breeds its cases from others.
 
 /// The chance that an interval misses: it holds in 95%.
 inline constexpr double kRiskError = 0.05;
