@@ -109,4 +109,9 @@ class Truth {
   mutable std::vector<std::unique_ptr<const Clip>> clips_;
 };
 
+/// A pointer to a truth that outlives it: nothing is allocated.
+inline std::shared_ptr<const Truth> unowned(const Truth& truth) {
+  return {std::shared_ptr<void>(), &truth};
+}
+
 }  // namespace manifuzz::exact

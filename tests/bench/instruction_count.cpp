@@ -36,7 +36,8 @@ std::string target() {
 /// From its numbers to the tally.
 void run_case(const Plan& plan, CaseNumber number, Tally& tally) {
   const PairCase pair = plan.pair(number);
-  const auto truth = std::make_shared<const exact::Truth>(pair);
+  const exact::Truth on_stack(pair);
+  const std::shared_ptr<const exact::Truth> truth = exact::unowned(on_stack);
   const Answer of_subject = plan.subject.collide(pair);
   const Answer of_oracle = plan.oracle.collide(pair);
   const Judgement judgement =

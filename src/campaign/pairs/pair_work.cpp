@@ -81,7 +81,8 @@ bool is_unsteady(const Bucket& bucket, const PairCase& pair, std::size_t i, Camp
 void run_case(const WorkOnPairs& work, const Plan& plan, const PairCase& pair, std::size_t i,
               CampaignRun& run, BlockAnswers& of_subject, BlockAnswers& of_oracle,
               CampaignJob& job) {
-  const auto truth = std::make_shared<const exact::Truth>(pair);
+  const exact::Truth on_stack(pair);
+  const std::shared_ptr<const exact::Truth> truth = exact::unowned(on_stack);
   job.begin(Step::asking_subject);
   const ColliderAnswer subject = ask_case(pair, i, of_subject);
   job.begin(Step::asking_oracle);
