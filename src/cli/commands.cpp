@@ -37,8 +37,9 @@ std::span<const Command> commands() {
       {"hunt",
        "Breed cases from cases, to find the worst that a collider does, and behaviour that drawn "
        "cases do not show; judge, shrink and save it as fuzz does.",
-       "manifuzz hunt --subject clip --seed 1 --cases 200000\n"
-       "manifuzz hunt --subject box2d --oracle clip --measure error --seed 1 --cases 200000",
+       "manifuzz hunt --subject clip --seed 1 --cases 50000\n"
+       "manifuzz hunt --subject batch --measure bound_share --from corpus/seeds --seed 1 --cases "
+       "20000",
        define_hunt},
       {"replay", "Run every case and sequence of the corpus again; the subject must be right.",
        "manifuzz replay corpus --subject clip --oracle box2d", define_replay},
