@@ -134,13 +134,10 @@ int hunt(HuntArguments& options) {
   if (!saved.folder.empty()) keep_worst(hunted, saved.folder);
   const ShowAgain show{this_program(), options_to_show(options.colliders)};
   Outputs outputs;
-  outputs.write(true, [&] {
-    write_to_reader(leaves_out_tables(options.json) ? objections(hunted.campaign)
-                    : options.is_verbose            ? hunt_table(hunted)
-                                                    : hunt_screen(hunted, show));
-  });
-  outputs.write(!options.json.empty(),
-                [&] { write_data(options.json, json_text(json_of(hunted))); });
+  const std::string table = leaves_out_tables(options.json) ? objections(hunted.campaign)
+                            : options.is_verbose            ? hunt_table(hunted)
+                                                            : hunt_screen(hunted, show);
+  write_table(outputs, table, options.json, json_text(json_of(hunted)));
   outputs.write(!options.report.empty(), [&] {
     // Its summary as a campaign's: the page compares no cells.
     write_data(options.report, page_of_campaign(hunted.campaign, json_of(hunted.campaign.result),
