@@ -229,9 +229,13 @@ Corpus read_known(const std::filesystem::path& folder);
 /// first broken file, for what is drawn from a corpus depends on all of it.
 Corpus read_corpus_folder(const std::filesystem::path& folder);
 
+/// In place of the regime of a case that a hunt bred.
+inline constexpr std::string_view kRegimeOfHunts = "hunt";
+
 /// The pairs that a campaign with this seed may mutate: all but those that the seed itself or a
 /// property found, so that saving a finding changes no case and its command repeats it; and all but
-/// accepted ones, around which the same mistake comes in every disguise.
+/// accepted ones, around which the same mistake comes in every disguise, and those that hunts bred,
+/// the worst there are, around which engines do what no ledger counts on.
 std::vector<PairCase> pairs_of(const Corpus& corpus, std::uint64_t seed);
 
 /// A case's file, and what there is to say of the choice.

@@ -34,7 +34,10 @@ std::vector<PairCase> pairs_of(const Corpus& corpus, std::uint64_t seed) {
   for (const CorpusCase& known : corpus.cases) {
     const bool found_here = known.found && known.found->seed == seed;
     const bool is_accepted = accepted.contains(shrunk_beside(known.path));
-    if (!found_here && !is_accepted && known.property.empty()) pairs.push_back(known.pair());
+    const bool is_bred = known.found && known.found->regime == kRegimeOfHunts;
+    if (!found_here && !is_accepted && !is_bred && known.property.empty()) {
+      pairs.push_back(known.pair());
+    }
   }
   return pairs;
 }

@@ -1,7 +1,8 @@
 #include "hunting/hunt.hpp"
 
 #include <algorithm>
-#include <set>
+
+#include "hunting/journal.hpp"
 
 namespace manifuzz {
 namespace {
@@ -77,7 +78,7 @@ class Hunting {
 
   const Plan& plan() const { return plan_; }
 
-  JobsResult run(Interruption& interruption) {
+  JobsResult run(Journal& journal, Interruption& interruption) {
     JobsResult all;
     add(all, {.tally = std::make_unique<Tally>()});
     const CaseNumber end = plan_.cases_max();
@@ -86,6 +87,7 @@ class Hunting {
       begun = cases.end;
       add(all, run_part(plan_, cases, all, interruption));
       bred_->end_generation(plan_, *all.tally);
+      journal.add(*all.tally);
       if (drawn_ && !has_ended(all)) run_drawn(cases, all, interruption);
     }
     return all;
@@ -169,9 +171,12 @@ Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to, c
   const auto on_saving = [&](const Progress& progress) {
     on_progress({.plan = hunting.plan(), .cases = progress, .cells = 0, .cells_drawn = {}});
   };
-  Campaign campaign =
-      run_campaign_by([&](Interruption& interruption) { return hunting.run(interruption); },
-                      hunting.plan(), known, save_to, origin, on_saving);
+  Journal journal(save_to.folder, hunting.plan());
+  const RunCases run = [&](Interruption& interruption) {
+    return hunting.run(journal, interruption);
+  };
+  Campaign campaign = run_campaign_by(run, hunting.plan(), known, save_to, origin, on_saving);
+  journal.end();
   return hunting.finished(std::move(campaign));
 }
 

@@ -15,7 +15,7 @@ namespace manifuzz {
 inline constexpr CaseNumber kLongestGeneration = 8192;
 
 /// The one regime of a plan whose cases a hunt breeds.
-inline constexpr Regime kHunted{"hunt", "cases that a hunt bred of others", nullptr};
+inline constexpr Regime kHunted{kRegimeOfHunts, "cases that a hunt bred of others", nullptr};
 
 /// Is told of a case once it is judged, in the job's process.
 using OnJudged = std::function<void(CaseNumber number, const JudgedPair& judged)>;

@@ -196,3 +196,12 @@ TEST_CASE("a campaign mutates no accepted case, nor the worst beside it") {
   corpus.cases[0].accepted = Acceptance{.because = "known"};
   CHECK(pairs_of(corpus, 1).empty());
 }
+
+TEST_CASE("no campaign mutates a case that a hunt bred") {
+  const TemporaryFolder folder;
+  write_corpus_case(folder.path(), finding("smallest"));
+  Corpus corpus = read_corpus_folder(folder.path());
+  REQUIRE(pairs_of(corpus, 1).size() == 1);
+  corpus.cases[0].found = Found{.seed = 9, .regime = std::string(kRegimeOfHunts), .versions = {}};
+  CHECK(pairs_of(corpus, 1).empty());
+}

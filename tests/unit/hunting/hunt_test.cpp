@@ -122,6 +122,25 @@ TEST_CASE("a bug that drawing meets once in a million cases is found, shrunk and
   CHECK(error->file == worst_file(folder.path(), "planted", Gauge::error).string());
 }
 
+TEST_CASE("what is found stands in a file while a hunt runs, and goes when it is saved") {
+  const TemporaryFolder folder;
+  HuntPlan plan = plan_of(with_rare_bug("climb_stops_short"), make_clip(), 100'000, 2);
+  plan.compares = false;
+  const std::filesystem::path journal = folder.path() / "hunt-4.jsonl";
+  bool was_there = false;
+  const Origin nowhere{
+      "manifuzz hunt",
+      {{"machine", ""}, {"compiler", ""}, {"versions", nlohmann::ordered_json::object()}}};
+  const Hunt hunt = run_hunt(plan, {}, {.folder = folder.path().string(), .shrink_seconds = 1},
+                             nowhere, [&](const HuntProgress& progress) {
+                               if (progress.cases.saving.empty()) return;
+                               was_there = was_there || std::filesystem::exists(journal);
+                             });
+  REQUIRE(has_failed(hunt.campaign.result));
+  CHECK(was_there);
+  CHECK_FALSE(std::filesystem::exists(journal));
+}
+
 TEST_CASE("cases to begin with are the first, and are bred from") {
   HuntPlan plan = plan_of(make_clip(), make_clip(), 2000, 1);
   plan.compares = false;
