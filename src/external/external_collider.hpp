@@ -29,6 +29,12 @@ struct LibraryCall {
   SideEffect effect = SideEffect::none;
 };
 
+using CollideFunction = decltype(&manifuzz_collide);
+
+/// Calls `manifuzz_collide`; the manifold comes zeroed. What else it does to this process is
+/// undone.
+LibraryCall call(CollideFunction collide, const PairCase& pair, manifuzz_manifold& manifold);
+
 /// A shared library after manifuzz_collider.h, loaded into this process for good.
 class Library {
  public:
@@ -36,15 +42,13 @@ class Library {
   explicit Library(const std::string& path);
 
   const manifuzz_declaration& declaration() const { return declaration_; }
-  /// Calls `manifuzz_collide`; the manifold comes zeroed. What else it does to this process is
-  /// undone.
   LibraryCall collide(const PairCase& pair, manifuzz_manifold& manifold) const;
   /// The function itself.
-  decltype(&manifuzz_collide) function() const { return collide_; }
+  CollideFunction function() const { return collide_; }
 
  private:
   manifuzz_declaration declaration_{};
-  decltype(&manifuzz_collide) collide_ = nullptr;
+  CollideFunction collide_ = nullptr;
 };
 
 /// The declaration as a `Declaration`. Throws UserError that names the field that is wrong.
@@ -56,6 +60,10 @@ Declaration declaration_of(const manifuzz_declaration& declared);
 Answer answer_of(const LibraryCall& call, const manifuzz_manifold& manifold,
                  const Declaration& declaration, const manifuzz_declaration& declared,
                  const PairCase& pair);
+
+/// The two names of manifuzz_collider.h, wherever they are from, as a collider in this process.
+/// Throws UserError where the declaration is nonsense.
+Collider collider_of_function(const manifuzz_declaration& declared, CollideFunction collide);
 
 /// A shared library after manifuzz_collider.h as a collider in this process: the fastest, but where
 /// it crashes, so does this process. Throws UserError where the library cannot be loaded.

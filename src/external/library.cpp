@@ -2,7 +2,6 @@
 #include <cstddef>
 #include <cstring>
 #include <dlfcn.h>
-#include <memory>
 
 #include <fmt/format.h>
 
@@ -102,15 +101,6 @@ Library::Library(const std::string& path) {
   if (declaration_.interface > 1 && declaration_.interface <= MANIFUZZ_INTERFACE) {
     std::memcpy(&declaration_, declared, kBytesOfInterface[declaration_.interface - 1]);
   }
-}
-
-LibraryCall Library::collide(const PairCase& pair, manifuzz_manifold& manifold) const {
-  const manifuzz_body a = c_body(pair.a);
-  const manifuzz_body b = c_body(pair.b);
-  manifold = {};
-  const CallWatch watch;
-  const int status = collide_(&a, &b, &manifold);
-  return {status, watch.end()};
 }
 
 namespace {
@@ -239,19 +229,6 @@ Answer answer_of(const LibraryCall& call, const manifuzz_manifold& manifold,
                             : manifold_of(manifold, conventions, pair);
   const auto why = contradiction(answer, conventions);
   return why ? malformed(*why) : answer;
-}
-
-Collider collider_in_process(const std::string& path) {
-  const auto library = std::make_shared<const Library>(path);
-  Collider collider;
-  collider.declaration = declaration_of(library->declaration());
-  collider.collide = [library, declaration = collider.declaration](const PairCase& pair) -> Answer {
-    if (auto declined = beyond_limits(declaration, pair)) return *declined;
-    manifuzz_manifold manifold;
-    const LibraryCall call = library->collide(pair, manifold);
-    return answer_of(call, manifold, declaration, library->declaration(), pair);
-  };
-  return collider;
 }
 
 }  // namespace manifuzz

@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "generating/drafts.hpp"
-#include "hunting/moves.hpp"
+#include "hunting/breeding.hpp"
 
 namespace manifuzz {
 namespace {
@@ -23,50 +22,6 @@ constexpr std::size_t kElite = 64;
 
 /// How much a generation weighs beside the next one.
 constexpr double kFading = 0.8;
-
-void renumber_by_chance(Random& random, PairCase& pair) {
-  for (const Side side : {Side::a, Side::b}) {
-    for (int i = random.integer(0, pair[side].polygon.count - 1); i > 0; --i) {
-      renumber(pair[side].polygon);
-    }
-  }
-}
-
-/// What becomes of a case by up to four moves, or nothing where they leave no valid one.
-std::optional<PairCase> bred(Random& random, const PairCase& parent, const PairCase& mate,
-                             double share_of_numbers) {
-  const auto any_of = [&](std::span<const Move> moves) {
-    return moves[static_cast<std::size_t>(random.integer(0, static_cast<int>(moves.size()) - 1))];
-  };
-  PairCase child = parent;
-  int more = 1;
-  while (more < 4 && random.chance(0.5)) ++more;
-  for (; more > 0; --more) {
-    const double kind = random.unit();
-    const double rest = (kind - share_of_numbers) / (1 - share_of_numbers);
-    const Move move = any_of(kind < share_of_numbers ? moves_of_numbers()
-                             : rest < 0.45           ? moves_of_shapes()
-                                                     : moves_of_places());
-    move.make(random, child, mate);
-  }
-  // Which number a face has is nobody's condition but its own.
-  if (random.chance(0.25)) renumber_by_chance(random, child);
-  return revalidated(child);
-}
-
-/// Whether the shapes have sizes and places that somebody may use: 2^-24 to 2^24, and up to 2^30
-/// from the origin. Beyond, engines' own absolute lengths are all that is found.
-bool is_in_use(const PairCase& pair) {
-  constexpr double least = 0x1p-24;
-  constexpr double most = 0x1p24;
-  constexpr double farthest = 0x1p30;
-  return std::ranges::all_of(std::array{&pair.a, &pair.b}, [&](const Body* body) {
-    const double across = size(body->polygon);
-    const double away = body->pose.position.cast<double>().norm();
-    return across >= least && across <= most && away <= farthest &&
-           static_cast<double>(body->polygon.radius) <= most;
-  });
-}
 
 /// Every number of a case that the tally tells of.
 std::set<CaseNumber> numbers_in(const Tally& tally) {

@@ -1,0 +1,27 @@
+# Adds to LLVM's assembler, of code that is instrumented for libFuzzer, that each comparison of two
+# floats or doubles is traced as one of their bits. Of one sign these are in the order of the numbers, so
+# that a value profile leads to numbers that are equal, as it does of whole numbers.
+
+function trace(bits, type, first, second,    name) {
+  name = "%traced" ++count
+  print "  " name ".a = bitcast " type " " first " to i" bits
+  print "  " name ".b = bitcast " type " " second " to i" bits
+  print "  call void @__sanitizer_cov_trace_cmp" bits / 8 "(i" bits " " name ".a, i" bits " " name ".b)"
+  is_used[bits] = 1
+}
+
+/^declare .*@__sanitizer_cov_trace_cmp4\(/ { is_declared[32] = 1 }
+/^declare .*@__sanitizer_cov_trace_cmp8\(/ { is_declared[64] = 1 }
+
+# %x = fcmp [flags] ult float %a, %b
+/ = fcmp / && match($0, / (float|double) [^ ,]+, [^ ,]+/) {
+  split(substr($0, RSTART + 1, RLENGTH - 1), words, /,? /)
+  trace(words[1] == "float" ? 32 : 64, words[1], words[2], words[3])
+}
+
+{ print }
+
+END {
+  if (is_used[32] && !is_declared[32]) print "declare void @__sanitizer_cov_trace_cmp4(i32, i32)"
+  if (is_used[64] && !is_declared[64]) print "declare void @__sanitizer_cov_trace_cmp8(i64, i64)"
+}
