@@ -14,6 +14,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "external/external_collider.hpp"
+#include "generating/drafts.hpp"
 #include "generating/regime.hpp"
 #include "hunting/breeding.hpp"
 #include "hunting/bytes_corpus.hpp"
@@ -30,6 +31,9 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
 std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* first, std::size_t first_size,
                                       const std::uint8_t* second, std::size_t second_size,
                                       std::uint8_t* out, std::size_t out_max, unsigned seed);
+// What the collider's floats are compared with, where scripts/libfuzzer says so.
+extern const double manifuzz_constants[] __attribute__((weak));
+extern const std::int32_t manifuzz_constant_count __attribute__((weak));
 // libFuzzer's own mutations.
 std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t size_max);
 }
@@ -80,7 +84,7 @@ Fuzzed make_fuzzed() {
 
 /// Ends the program as bad usage does.
 [[noreturn]] void refuse(const std::exception& error) {
-  write_error(fmt::format("{}\n", error.what()));
+  write_error(fmt::format("manifuzz: {}\n", error.what()));
   std::_Exit(2);
 }
 
@@ -116,11 +120,35 @@ PairCase drawn(Random& random) {
   return generate(random.bits(), regime, 0, fuzzed().context);
 }
 
-PairCase bred_or_drawn(Random& random, const PairCase& parent, const PairCase& mate) {
+/// One number to a constant of the collider's, or to what it is away from.
+void move_to_a_constant(Random& random, PairCase& pair) {
+  const int count = &manifuzz_constant_count == nullptr ? 0 : manifuzz_constant_count;
+  if (count == 0) return;
+  const double constant = manifuzz_constants[random.integer(0, count - 1)];
+  const std::vector<float*> numbers = free_numbers(pair);
+  const auto any = [&]() -> float& {
+    return *numbers[static_cast<std::size_t>(
+        random.integer(0, static_cast<int>(numbers.size()) - 1))];
+  };
+  const double from = random.chance(0.75) ? 0 : static_cast<double>(any());
+  any() = static_cast<float>(from + random.either_sign(constant));
+}
+
+/// What becomes of a case by moves, some of which are to a constant of the collider's.
+std::optional<PairCase> bred_with_constants(Random& random, const PairCase& parent,
+                                            const PairCase& mate) {
   constexpr double share_of_numbers = 0.5;
+  if (!random.chance(0.2)) return bred(random, parent, mate, share_of_numbers);
+  PairCase child = parent;
+  move_to_a_constant(random, child);
+  const auto valid = revalidated(child);
+  return valid && random.chance(0.5) ? bred(random, *valid, mate, share_of_numbers) : valid;
+}
+
+PairCase bred_or_drawn(Random& random, const PairCase& parent, const PairCase& mate) {
   constexpr int attempts = 8;
   for (int i = 0; i < attempts; ++i) {
-    std::optional<PairCase> child = bred(random, parent, mate, share_of_numbers);
+    std::optional<PairCase> child = bred_with_constants(random, parent, mate);
     if (!child) continue;
     put_radius(fuzzed().context, *child);
     if (is_asked_for(*child)) return *child;
