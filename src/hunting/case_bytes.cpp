@@ -9,7 +9,7 @@ namespace manifuzz {
 namespace {
 
 constexpr std::size_t kVerticesAt = 4;
-constexpr std::size_t kRadiusAt = kVerticesAt + kMaxVertices * 8;
+constexpr std::size_t kRadiusAt = kVerticesAt + std::size_t{kMaxVertices} * 8;
 constexpr std::size_t kPositionAt = kRadiusAt + 4;
 constexpr std::size_t kRotationAt = kPositionAt + 8;
 static_assert(kRotationAt + 8 == kBodyBytes);

@@ -124,7 +124,6 @@ void plant_constants(const manifuzz_body& a, const manifuzz_body& b, manifuzz_ma
 
 extern "C" {
 
-extern const manifuzz_declaration manifuzz_collider;
 const manifuzz_declaration manifuzz_collider = clip::declaration("planted");
 
 int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {

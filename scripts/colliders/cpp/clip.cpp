@@ -6,7 +6,6 @@
 
 extern "C" {
 
-extern const manifuzz_declaration manifuzz_collider;
 const manifuzz_declaration manifuzz_collider = clip::declaration("clip-in-c");
 
 int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {
