@@ -126,6 +126,23 @@ TEST_CASE("constants that floats are compared with are found") {
   CHECK(has_artifact(folder.path() / "kept", "crash-"));
 }
 
+TEST_CASE("a seed repeats its run") {
+  if (cannot_run()) return;
+  const std::string source = collider(
+      "if (a->position.x > b->position.x && a->radius == b->radius) return 1;"
+      "return a->count > 5 || a->vertices[0].x < 0.3f ? 1 : 1 + (b->position.y == 7);");
+  std::string first;
+  for (int run = 0; run < 3; ++run) {
+    const TemporaryFolder folder;
+    const std::string said = fuzz(folder, source, {"-seed=5", "-runs=5000"}).err;
+    const std::size_t done = said.find("#5000\tDONE");
+    REQUIRE(done != std::string::npos);
+    const std::string counts = said.substr(done, said.find(" lim:", done) - done);
+    if (run == 0) first = counts;
+    CHECK(counts == first);
+  }
+}
+
 TEST_CASE("sanitizers watch the collider") {
   if (cannot_run()) return;
   const TemporaryFolder folder;
