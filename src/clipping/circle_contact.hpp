@@ -105,9 +105,9 @@ template <class Scalar>
 bool is_outside_at(const ConvexPolygon<Scalar>& core, int corner, int greatest_face,
                    const Vector2<Scalar>& point) {
   const Vector2<Scalar> apart = point - core.vertices[corner];
-  return is_normal_at<Scalar>(core, corner, apart) &&
-         std::abs(along_face(core, greatest_face).dot(apart)) >
-             -core.normals[greatest_face].dot(apart);
+  if (!is_normal_at<Scalar>(core, corner, apart)) return false;
+  const Scalar past = std::abs(along_face(core, greatest_face).dot(apart));
+  return core.face_count() < kMinVertices || past + core.normals[greatest_face].dot(apart) > 0;
 }
 
 /// The face of greatest separation from a point outside or, where that is past an end of it and
