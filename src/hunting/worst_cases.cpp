@@ -11,7 +11,7 @@
 namespace manifuzz {
 namespace {
 
-/// Shortest digits to tell it by; what is smaller in the fourth is as bad.
+/// Four digits: enough to tell by how much one case is worse than another.
 std::string in_digits(double value) {
   return fmt::format("{:.4g}", value);
 }
@@ -58,7 +58,7 @@ std::optional<Observation> observed_now(const Collider& collider, const PairCase
   }
   const auto truth = std::make_shared<const exact::Truth>(pair);
   const ColliderAnswer given{collider.declaration, answer};
-  return observation_of({truth, given, judge(truth, given, given)});
+  return observation_of({truth, given, judge_alone(truth, given)});
 }
 
 std::string note_of_worst(Gauge gauge, double value) {

@@ -24,7 +24,7 @@ std::optional<WrongAnswer> wrong_answer(const Collider& collider, const PairCase
   if (std::holds_alternative<Unsupported>(answer)) return std::nullopt;
   const auto truth = std::make_shared<const exact::Truth>(pair);
   const ColliderAnswer given{collider.declaration, answer};
-  WrongAnswer wrong{pair, judge(truth, given, given)};
+  WrongAnswer wrong{pair, judge_alone(truth, given)};
   if (wrong.judgement.bucket.fault == Fault::none) return std::nullopt;
   wrong.judgement.bucket = against_subject(wrong.judgement.bucket);
   return wrong;

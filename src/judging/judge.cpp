@@ -247,6 +247,11 @@ Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const Collider
   return result;
 }
 
+Judgement judge_alone(const std::shared_ptr<const exact::Truth>& truth,
+                      const ColliderAnswer& given) {
+  return judge(truth, given, given);
+}
+
 void explain_subject(const std::shared_ptr<const exact::Truth>& truth,
                      const ColliderAnswer& subject, Judgement& judgement) {
   Bucket& bucket = judgement.bucket;

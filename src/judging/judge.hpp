@@ -58,6 +58,11 @@ Judgement judge(const std::shared_ptr<const exact::Truth>& truth, const Collider
                 const ColliderAnswer& oracle);
 Judgement judge(const PairCase& pair, const ColliderAnswer& subject, const ColliderAnswer& oracle);
 
+/// The full verdict on one collider's answer, which stands in the oracle's place as well: where it
+/// is wrong, both are.
+Judgement judge_alone(const std::shared_ptr<const exact::Truth>& truth,
+                      const ColliderAnswer& given);
+
 /// Names the ledger's cause of a verdict against the subject, which is `known` then, as one against
 /// the oracle is.
 void explain_subject(const std::shared_ptr<const exact::Truth>& truth,

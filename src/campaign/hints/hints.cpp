@@ -34,11 +34,6 @@ struct Sample {
   }
 };
 
-Judgement judged_alone(const std::shared_ptr<const exact::Truth>& truth,
-                       const ColliderAnswer& given) {
-  return judge(truth, given, given);
-}
-
 bool is_wrong(const Judgement& judgement) {
   return judgement.bucket.fault != Fault::none;
 }
@@ -53,7 +48,7 @@ bool has_answered(const Answer& answer) {
 
 Judgement judged_undone(const AskedAgain& asked, const Undone& undone) {
   const auto truth = undone.pair ? std::make_shared<const exact::Truth>(*undone.pair) : asked.truth;
-  return judged_alone(truth, {undone.declaration, undone.answer});
+  return judge_alone(truth, {undone.declaration, undone.answer});
 }
 
 /// What becomes of an answer without a mistake; open is what nobody can judge then.
@@ -181,7 +176,7 @@ class AskingAgain {
   }
 
   Judgement judged(const AskedAgain& asked) const {
-    return judged_alone(asked.truth, {plan_.subject.declaration, asked.answer});
+    return judge_alone(asked.truth, {plan_.subject.declaration, asked.answer});
   }
 
  private:
