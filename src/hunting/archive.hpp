@@ -11,7 +11,7 @@
 
 namespace manifuzz {
 
-/// A place in an archive's list of cases; who is freed gives it to another.
+/// A place in an archive's list of cases. Once its case is freed, another case may get it.
 using EntryId = std::uint32_t;
 
 /// Sets of cells that share their cases: a cell for each pair of conditions with their bins, and
@@ -36,7 +36,7 @@ class Archive {
 
   Archive();
 
-  /// What a case of this observed and value takes. `pair_of` makes the case, once it is needed.
+  /// Takes in a case with this observation and this value. `pair_of` makes the case if it is kept.
   template <class PairOf>
   Taken add(const Observation& observed, double value, const PairOf& pair_of) {
     std::vector<Cell*> won;

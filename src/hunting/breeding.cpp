@@ -35,7 +35,7 @@ std::optional<PairCase> bred(Random& random, const PairCase& parent, const PairC
                                                      : moves_of_places());
     move.make(random, child, mate);
   }
-  // Which number a face has is nobody's condition but its own.
+  // Counting a shape's faces from another one changes no contact, and fills cells by itself.
   if (random.chance(0.25)) renumber_by_chance(random, child);
   return revalidated(child);
 }

@@ -22,40 +22,13 @@ constexpr int kOfShare = -10;
 constexpr int kOfRatio = -7;
 constexpr int kOfDistance = -2;
 
-struct Widths {
-  double least = 0;
-  double greatest = 0;
-};
-
-/// The least and the greatest extent across any of the shape's faces, by doubles.
-Widths widths_of(const ConvexPolygon<float>& shape) {
-  Widths widths{std::numeric_limits<double>::infinity(), 0};
-  for (int i = 0; i < shape.face_count(); ++i) {
-    const Vector2<double> normal = shape.normals[i].cast<double>();
-    double least = std::numeric_limits<double>::infinity();
-    double greatest = -least;
-    for (const Vector2<float>& corner : shape.corners()) {
-      const double along = normal.dot(corner.cast<double>());
-      least = std::min(least, along);
-      greatest = std::max(greatest, along);
-    }
-    widths.least = std::min(widths.least, greatest - least);
-    widths.greatest = std::max(widths.greatest, greatest - least);
-  }
-  return widths;
-}
-
 std::uint8_t aspect_bin(const ConvexPolygon<float>& shape) {
-  if (shape.count < kMinVertices) return 0;
-  const Widths widths = widths_of(shape);
-  return decade(widths.least / widths.greatest, kOfRatio);
+  return shape.count < kMinVertices ? 0 : decade(aspect_of(shape), kOfRatio);
 }
 
 std::uint8_t radius_bin(const ConvexPolygon<float>& shape) {
-  const double core =
-      size(shape) - (shape.is_round() ? 2.0 * static_cast<double>(shape.radius) : 0);
   if (shape.count == 1) return kBins - 1;
-  return decade(static_cast<double>(shape.radius) / core, kOfRatio);
+  return decade(static_cast<double>(shape.radius) / core_size(shape), kOfRatio);
 }
 
 /// The last of an odd multiple of 45 degrees, the first of a quarter turn, else how far it is from
@@ -150,6 +123,28 @@ std::uint8_t decade(double figure, int least) {
   const auto begin = kPowersOfTen.begin() + (least + kPowerOfOne);
   const auto above = std::upper_bound(begin, begin + (kBins - 2), figure);
   return static_cast<std::uint8_t>(1 + (above - begin));
+}
+
+double aspect_of(const ConvexPolygon<float>& shape) {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = 0;
+  for (int i = 0; i < shape.face_count(); ++i) {
+    const Vector2<double> normal = shape.normals[i].cast<double>();
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Vector2<float>& corner : shape.corners()) {
+      const double along = normal.dot(corner.cast<double>());
+      low = std::min(low, along);
+      high = std::max(high, along);
+    }
+    least = std::min(least, high - low);
+    greatest = std::max(greatest, high - low);
+  }
+  return least / greatest;
+}
+
+double core_size(const ConvexPolygon<float>& shape) {
+  return size(shape) - (shape.is_round() ? 2 * static_cast<double>(shape.radius) : 0);
 }
 
 Conditions conditions_of(const exact::Truth& truth) {

@@ -96,6 +96,11 @@ class Conditions {
 /// for each power of ten from there on, up to the last bin.
 std::uint8_t decade(double figure, int least);
 
+/// The least extent across any face over the greatest, by doubles; of a polygon.
+double aspect_of(const ConvexPolygon<float>& shape);
+/// The diameter of the core: the shape's size without its radius.
+double core_size(const ConvexPolygon<float>& shape);
+
 Conditions conditions_of(const exact::Truth& truth);
 
 }  // namespace manifuzz

@@ -137,7 +137,8 @@ void bring_to_contact(Random& random, PairCase& pair, const PairCase&) {
   move_by(moved, (gap - in_front_of(face, moved)) * face.normal);
 }
 
-/// One body along a face of the other, so that one of its vertices comes to a side plane, or close.
+/// Moves one body along a face of the other, until one of its vertices lies on a side plane of that
+/// face, or a small distance from it.
 void bring_to_side_plane(Random& random, PairCase& pair, const PairCase&) {
   const Side side = any_side(random);
   if (pair[side].polygon.count < 2) return;

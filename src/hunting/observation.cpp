@@ -14,8 +14,9 @@ bool is_subjects(const Bucket& bucket) {
   return bucket.fault == Fault::subject || bucket.fault == Fault::both;
 }
 
-/// Of a right answer that the penetration curve judges: its depth against the least. Who declares
-/// that it may stop short of the least, or prefer a side, is held to more than bounds.
+/// Adds the share of its bound by which a right answer's depth is off the least one, where the
+/// penetration curve judges it. A collider that declares a tolerance or a tie bias has none: its
+/// answers may be off by more than bounds.
 void add_curve_share(const JudgedPair& judged, Observation& observed) {
   const exact::Truth& truth = *judged.truth;
   const Declaration& declaration = judged.subject.declaration;
@@ -27,7 +28,8 @@ void add_curve_share(const JudgedPair& judged, Observation& observed) {
   observed[Gauge::depth_share] = std::abs(said->depth - curve.least()) / bounds.minimality;
 }
 
-/// Of a right answer's manifold, against the right one of whose bounds it takes the least share.
+/// Adds the shares of the bounds that a right answer's manifold takes, against the right one of
+/// whose bounds it takes the least.
 void add_clip_shares(const JudgedPair& judged, Observation& observed) {
   const Declaration& declaration = judged.subject.declaration;
   const Admissible right = admissible(judged.truth, declaration);

@@ -67,28 +67,6 @@ bool is_whole(float x) {
   return x == std::round(x);
 }
 
-double core(const ConvexPolygon<float>& shape) {
-  return size(shape) - (shape.is_round() ? 2 * static_cast<double>(shape.radius) : 0);
-}
-
-/// The least width over the greatest, by the faces.
-double aspect(const ConvexPolygon<float>& shape) {
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = 0;
-  for (int i = 0; i < shape.face_count(); ++i) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const Vector2<float>& corner : shape.corners()) {
-      const double along = shape.normals[i].cast<double>().dot(corner.cast<double>());
-      low = std::min(low, along);
-      high = std::max(high, along);
-    }
-    least = std::min(least, high - low);
-    greatest = std::max(greatest, high - low);
-  }
-  return least / greatest;
-}
-
 bool is_turned_by_an_eighth(const Body& body) {
   return std::abs(body.pose.rotation.x()) == std::abs(body.pose.rotation.y());
 }
@@ -188,7 +166,7 @@ constexpr RareBug kRareBugs[] = {
     {"nearly_parallel_sliver", "tilted by 1e-7 to 1e-6, one end cut, B thinner than 1%", true,
      [](const BugView& v) {
        return v.clip->tangent > 1e-7 && v.clip->tangent < 1e-6 && v.is_one_cut() &&
-              v.shape(Side::b).count >= 3 && aspect(v.shape(Side::b)) < 0.01;
+              v.shape(Side::b).count >= 3 && aspect_of(v.shape(Side::b)) < 0.01;
      }},
     {"sides_nearly_tie", "4 and 5 faces, unlike radii, a side leads by 0 to 1e-6, both ends cut",
      true,
@@ -228,13 +206,14 @@ constexpr RareBug kRareBugs[] = {
     {"plunging_slivers", "both thinner than 0.1%, at over 45 degrees, one end cut", true,
      [](const BugView& v) {
        return v.shape(Side::a).count >= 3 && v.shape(Side::b).count >= 3 && v.clip->tangent > 1 &&
-              v.is_one_cut() && aspect(v.shape(Side::a)) < 1e-3 && aspect(v.shape(Side::b)) < 1e-3;
+              v.is_one_cut() && aspect_of(v.shape(Side::a)) < 1e-3 &&
+              aspect_of(v.shape(Side::b)) < 1e-3;
      }},
     {"fat_capsule_on_octagon", "a capsule of a radius over 5,000 cores on an octagon's last face",
      true,
      [](const BugView& v) {
        return v.has_counts(2, 8) && v.reference == exact::FaceOf{Side::b, 7} &&
-              radius(v, Side::a) > 5000 * core(v.shape(Side::a));
+              radius(v, Side::a) > 5000 * core_size(v.shape(Side::a));
      }},
     {"circle_in_heptagon", "a circle's centre under the last face of a heptagon, half a size deep",
      false,
@@ -246,8 +225,9 @@ constexpr RareBug kRareBugs[] = {
      true,
      [](const BugView& v) {
        const ConvexPolygon<float>& a = v.shape(Side::a);
-       return a.count >= 3 && a.is_round() && a.radius > 0 && radius(v, Side::a) < 1e-6 * core(a) &&
-              radius(v, Side::b) > core(v.shape(Side::b)) && v.shape(Side::b).count >= 2;
+       return a.count >= 3 && a.is_round() && a.radius > 0 &&
+              radius(v, Side::a) < 1e-6 * core_size(a) &&
+              radius(v, Side::b) > core_size(v.shape(Side::b)) && v.shape(Side::b).count >= 2;
      }},
     {"eighth_and_quarter", "A turned by exactly 45 degrees, B by quarters, both ends cut", true,
      [](const BugView& v) {

@@ -38,8 +38,8 @@ struct RareBug {
 
 std::span<const RareBug> rare_bugs();
 
-/// Which bugs a case meets, bit i that of bug i; none where the shapes do not touch, or the bound
-/// of separations in float exceeds 5% of the size.
+/// The bugs that a case meets: bit i is set for bug i. It meets none if the shapes do not touch, or
+/// if the bound of separations in float exceeds 5% of the size.
 std::uint64_t rare_bugs_met_by(const exact::Truth& truth);
 
 }  // namespace manifuzz::test

@@ -169,8 +169,8 @@ TEST_CASE("corpus cases go into libFuzzer's corpus, and come back") {
   CHECK(from.status == 0);
   CHECK_THAT(from.err, Contains("1 case to begin with, 1 left out"));
   CHECK(entries_of(bytes).size() == 1);
-  const Outcome to = fuzz(folder, collider("return 1;"), {"--to-json", again, bytes});
-  CHECK(to.status == 0);
+  const Outcome written = fuzz(folder, collider("return 1;"), {"--to-json", again, bytes});
+  CHECK(written.status == 0);
   REQUIRE(entries_of(again).size() == 1);
   CHECK(fs::exists(cases / entries_of(again).front().filename()));
 }
