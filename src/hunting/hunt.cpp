@@ -1,52 +1,12 @@
 #include "hunting/hunt.hpp"
 
-#include <algorithm>
-
 #include "hunting/journal.hpp"
 
 namespace manifuzz {
 namespace {
 
-/// Drawn cases, of which the same is learnt as of hunted ones.
-class DrawnPairs : public WorkOnPairs {
- public:
-  DrawnPairs(std::size_t most, OnJudged on_judged)
-      : on_judged_(std::move(on_judged)), observations_(most) {}
-
-  void learn(CaseNumber number, const JudgedPair& judged) const override {
-    observations_[number - begin_] = observation_of(judged);
-    if (on_judged_) on_judged_(number, judged);
-  }
-  void begin(SharedQueue::Block cases) {
-    begin_ = cases.begin;
-    length_ = cases.end - cases.begin;
-    std::ranges::fill(observations_.all(), Observation{});
-  }
-  void end(const std::optional<Measure>& measure) {
-    for (std::size_t i = 0; i < length_; ++i) {
-      const Observation& observed = observations_[i];
-      if (!observed.is_there || !observed.is_well_posed) continue;
-      for (std::size_t k = 0; k < kGauges; ++k) {
-        if (observed.gauges[k] > worst_[k].value) worst_[k] = {observed.gauges[k], begin_ + i};
-      }
-      archive_.add(observed, value_of(observed, measure), [] { return PairCase{}; });
-    }
-  }
-  const WorstOfGauges& worst() const { return worst_; }
-  std::size_t cell_count() const { return archive_.cell_count(); }
-
- private:
-  OnJudged on_judged_;
-  CaseNumber begin_ = 0;
-  std::size_t length_ = 0;
-  Shared<Observation> observations_;
-  Archive archive_;
-  WorstOfGauges worst_{};
-};
-
 /// Adds a part of a run to what there is of it.
 void add(JobsResult& all, JobsResult part) {
-  if (!all.tally) all.tally = std::make_unique<Tally>();
   all.tally->add(*part.tally);
   all.seconds += part.seconds;
   all.interrupted = part.interrupted;
@@ -70,23 +30,22 @@ class Hunting {
     plan_.regimes = {&kHunted};
     plan_.work = bred_;
     plan_.judge_every = drawn_plan_.judge_every = 1;
-    drawn_all_.tally = std::make_unique<Tally>();
     if (!hunt.compares) return;
-    drawn_ = std::make_shared<DrawnPairs>(kLongestGeneration + hunt.founders.size(), hunt.on_drawn);
+    drawn_ = std::make_shared<ObservedPairs>(kLongestGeneration + hunt.founders.size(),
+                                             hunt.measure, hunt.on_drawn);
     drawn_plan_.work = drawn_;
   }
 
   const Plan& plan() const { return plan_; }
 
   JobsResult run(Journal& journal, Interruption& interruption) {
-    JobsResult all;
-    add(all, {.tally = std::make_unique<Tally>()});
+    JobsResult all{.tally = std::make_unique<Tally>()};
     const CaseNumber end = plan_.cases_max();
     for (CaseNumber begun = 0; begun < end && !has_ended(all) && !is_time_up(all);) {
       const SharedQueue::Block cases = bred_->begin_generation(end - begun);
       begun = cases.end;
       add(all, run_part(plan_, cases, all, interruption));
-      bred_->end_generation(plan_, *all.tally);
+      bred_->end_generation(*all.tally);
       journal.add(*all.tally);
       if (drawn_ && !has_ended(all)) run_drawn(cases, all, interruption);
     }
@@ -132,9 +91,9 @@ class Hunting {
   }
 
   void run_drawn(SharedQueue::Block cases, JobsResult& all, Interruption& interruption) {
-    drawn_->begin(cases);
+    drawn_->begin_part(cases);
     add(drawn_all_, run_part(drawn_plan_, cases, all, interruption));
-    drawn_->end(hunt_.measure);
+    drawn_->end_part();
     all.interrupted = drawn_all_.interrupted;
   }
 
@@ -159,8 +118,8 @@ class Hunting {
   Plan drawn_plan_;
   Plan plan_;
   std::shared_ptr<HuntedPairs> bred_;
-  std::shared_ptr<DrawnPairs> drawn_;
-  JobsResult drawn_all_;
+  std::shared_ptr<ObservedPairs> drawn_;
+  JobsResult drawn_all_{.tally = std::make_unique<Tally>()};
 };
 
 }  // namespace

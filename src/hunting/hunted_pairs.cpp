@@ -39,20 +39,24 @@ std::set<CaseNumber> numbers_in(const Tally& tally) {
 }  // namespace
 
 HuntedPairs::HuntedPairs(Breed breed, const Plan& plan)
-    : breed_(std::move(breed)),
+    : ObservedPairs(kLongestGeneration + breed.founders.size(), breed.measure, breed.on_judged),
+      breed_(std::move(breed)),
       seed_(plan.seed),
-      context_(plan.context),
-      observations_(kLongestGeneration + breed_.founders.size()) {}
+      context_(plan.context) {}
 
 std::string HuntedPairs::options_again(const Plan& plan, CaseNumber number) const {
   return fmt::format(" --seed {} --cases {}", plan.seed, number + 1);
 }
 
 PairCase HuntedPairs::pair(const Plan&, CaseNumber number) const {
+  return kept_or_born(number);
+}
+
+PairCase HuntedPairs::kept_or_born(CaseNumber number) const {
   const auto kept = kept_.find(number);
   if (kept != kept_.end()) return kept->second;
   if (number < breed_.founders.size()) return breed_.founders[number];
-  return number >= begin_ && number - begin_ < births_.size() ? born(number) : drawn(number);
+  return number >= cases().begin && number < cases().end ? born(number) : drawn(number);
 }
 
 PairCase HuntedPairs::drawn(CaseNumber number) const {
@@ -61,11 +65,11 @@ PairCase HuntedPairs::drawn(CaseNumber number) const {
 }
 
 PairCase HuntedPairs::born(CaseNumber number) const {
-  const Birth& birth = births_[number - begin_];
+  const Birth& birth = births_[number - cases().begin];
   if (birth.source == Source::drawn) return drawn(number);
   Random random(seed_, kHunted.stream, number);
-  const PairCase& parent = archive_[birth.parent].pair;
-  const PairCase& mate = archive_[birth.mate].pair;
+  const PairCase& parent = archive()[birth.parent].pair;
+  const PairCase& mate = archive()[birth.mate].pair;
   // The worst are climbed in small steps.
   const double share = birth.source == Source::worst ? 0.7 : 0.25;
   constexpr int attempts = 8;
@@ -78,15 +82,10 @@ PairCase HuntedPairs::born(CaseNumber number) const {
   return drawn(number);
 }
 
-void HuntedPairs::learn(CaseNumber number, const JudgedPair& judged) const {
-  observations_[number - begin_] = observation_of(judged);
-  if (breed_.on_judged) breed_.on_judged(number, judged);
-}
-
 std::array<double, HuntedPairs::kSources> HuntedPairs::shares_of_sources() const {
   // Each has enough to be seen when it does better; the rest goes where cells still fill.
   std::array<double, kSources> shares{0, 0.08, 0.08, 0.08, 0.08, 0.08, 0.2};
-  if (archive_.is_empty()) return {0, 1, 0, 0, 0, 0, 0};
+  if (archive().is_empty()) return {0, 1, 0, 0, 0, 0, 0};
   constexpr double rest = 0.4;
   constexpr std::array filling{Source::drawn, Source::pair_cell, Source::label_cell,
                                Source::kind_cell, Source::newest};
@@ -104,8 +103,8 @@ std::array<double, HuntedPairs::kSources> HuntedPairs::shares_of_sources() const
 
 EntryId HuntedPairs::in_rare_cell(Archive::Set set, Random& random) const {
   const auto any_cell = [&]() -> const Archive::Cell& {
-    const auto count = static_cast<int>(archive_.cell_count(set));
-    return archive_.cell(set, static_cast<std::size_t>(random.integer(0, count - 1)));
+    const auto count = static_cast<int>(archive().cell_count(set));
+    return archive().cell(set, static_cast<std::size_t>(random.integer(0, count - 1)));
   };
   constexpr int candidates = 4;
   const Archive::Cell* rarest = &any_cell();
@@ -123,7 +122,7 @@ EntryId HuntedPairs::less_used(std::span<const EntryId> entries, Random& random)
   };
   const EntryId one = any();
   const EntryId other = any();
-  return archive_[one].uses <= archive_[other].uses ? one : other;
+  return archive()[one].uses <= archive()[other].uses ? one : other;
 }
 
 EntryId HuntedPairs::parent_from(Source source, Random& random,
@@ -163,34 +162,28 @@ HuntedPairs::Birth HuntedPairs::birth_of(CaseNumber number,
   if (birth.source == Source::drawn || birth.source == Source::founded) return {Source::drawn};
   birth.parent = parent_from(birth.source, random, newest);
   birth.mate = parent_from(Source::pair_cell, random, newest);
-  ++archive_[birth.parent].uses;
-  archive_.hold(birth.parent);
-  archive_.hold(birth.mate);
+  ++archive()[birth.parent].uses;
+  archive().hold(birth.parent);
+  archive().hold(birth.mate);
   return birth;
 }
 
 SharedQueue::Block HuntedPairs::begin_generation(CaseNumber most) {
-  begin_ += births_.size();
-  CaseNumber length = std::clamp(begin_ / kShareOfCases, kShortestGeneration, kLongestGeneration);
+  const CaseNumber begun = cases().end;
+  CaseNumber length = std::clamp(begun / kShareOfCases, kShortestGeneration, kLongestGeneration);
   if (generations_ == 0) length += breed_.founders.size();
   const std::array<double, kSources> shares = shares_of_sources();
-  const std::vector<EntryId> newest = archive_.newest(kNewest);
+  const std::vector<EntryId> newest = archive().newest(kNewest);
   births_.clear();
   length = std::min(length, most);
-  for (CaseNumber i = 0; i < length; ++i) births_.push_back(birth_of(begin_ + i, shares, newest));
-  std::ranges::fill(observations_.all(), Observation{});
+  for (CaseNumber i = 0; i < length; ++i) births_.push_back(birth_of(begun + i, shares, newest));
   ++generations_;
-  return {begin_, begin_ + births_.size()};
-}
-
-void HuntedPairs::keep_worst(CaseNumber number, const Observation& observed) {
-  for (std::size_t i = 0; i < kGauges; ++i) {
-    if (observed.gauges[i] > worst_[i].value) worst_[i] = {observed.gauges[i], number};
-  }
+  begin_part({begun, begun + length});
+  return cases();
 }
 
 bool HuntedPairs::is_elite(Gauge gauge, const Observation& observed) const {
-  if (breed_.measure && measure_of(gauge) != *breed_.measure) return false;
+  if (measure() && measure_of(gauge) != *measure()) return false;
   const auto& elite = elite_[static_cast<std::size_t>(gauge)];
   const double value = observed[gauge];
   const bool is_enough = elite.size() < kElite || value > std::prev(elite.end())->first;
@@ -200,52 +193,50 @@ bool HuntedPairs::is_elite(Gauge gauge, const Observation& observed) const {
 void HuntedPairs::keep_elite(Gauge gauge, const Observation& observed, EntryId entry) {
   auto& elite = elite_[static_cast<std::size_t>(gauge)];
   elite.emplace(observed[gauge], entry);
-  archive_.hold(entry);
+  archive().hold(entry);
   if (elite.size() <= kElite) return;
   const auto last = std::prev(elite.end());
-  archive_.let_go(last->second);
+  archive().let_go(last->second);
   elite.erase(last);
 }
 
-void HuntedPairs::keep_cases_of(const Plan& plan, const Tally& tally) {
+void HuntedPairs::keep_cases_of(const Tally& tally) {
   std::set<CaseNumber> numbers = numbers_in(tally);
-  for (const Worst& worst : worst_) {
-    if (worst.value > 0) numbers.insert(worst.number);
+  for (const Worst& of_gauge : worst()) {
+    if (of_gauge.value > 0) numbers.insert(of_gauge.number);
   }
   std::map<CaseNumber, PairCase> kept;
-  for (const CaseNumber number : numbers) kept.emplace(number, pair(plan, number));
+  for (const CaseNumber number : numbers) kept.emplace(number, kept_or_born(number));
   kept_ = std::move(kept);
 }
 
-void HuntedPairs::end_generation(const Plan& plan, const Tally& tally) {
-  std::array<Yield, kSources> now{};
-  for (std::size_t i = 0; i < births_.size(); ++i) {
-    const Observation& observed = observations_[i];
-    if (!observed.is_there) continue;
-    Yield& yield = now[static_cast<std::size_t>(births_[i].source)];
-    ++yield.cases;
-    if (!observed.is_well_posed) continue;
-    const CaseNumber number = begin_ + i;
-    keep_worst(number, observed);
-    const double value = value_of(observed, breed_.measure);
-    Archive::Taken taken = archive_.add(observed, value, [&] { return pair(plan, number); });
-    yield.cells += taken.new_cells;
-    for (std::size_t k = 0; k < kGauges; ++k) {
-      const auto gauge = static_cast<Gauge>(k);
-      if (!is_elite(gauge, observed)) continue;
-      if (!taken.entry) taken.entry = archive_.put(pair(plan, number), value);
-      keep_elite(gauge, observed, *taken.entry);
-    }
+void HuntedPairs::take_in(CaseNumber number, const Observation& observed,
+                          const std::optional<Archive::Taken>& taken) {
+  const Birth& birth = births_[number - cases().begin];
+  Yield& yield = yields_[static_cast<std::size_t>(birth.source)];
+  ++yield.cases;
+  if (!taken) return;
+  yield.cells += taken->new_cells;
+  std::optional<EntryId> entry = taken->entry;
+  for (std::size_t k = 0; k < kGauges; ++k) {
+    const auto gauge = static_cast<Gauge>(k);
+    if (!is_elite(gauge, observed)) continue;
+    if (!entry) entry = archive().put(kept_or_born(number), value_of(observed, measure()));
+    keep_elite(gauge, observed, *entry);
   }
-  for (std::size_t k = 0; k < kSources; ++k) {
-    yields_[k].cells = kFading * yields_[k].cells + now[k].cells;
-    yields_[k].cases = kFading * yields_[k].cases + now[k].cases;
+}
+
+void HuntedPairs::end_generation(const Tally& tally) {
+  for (Yield& yield : yields_) {
+    yield.cells *= kFading;
+    yield.cases *= kFading;
   }
-  keep_cases_of(plan, tally);
+  end_part();
+  keep_cases_of(tally);
   for (const Birth& birth : births_) {
     if (birth.source == Source::drawn || birth.source == Source::founded) continue;
-    archive_.let_go(birth.parent);
-    archive_.let_go(birth.mate);
+    archive().let_go(birth.parent);
+    archive().let_go(birth.mate);
   }
 }
 

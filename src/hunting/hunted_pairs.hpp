@@ -4,10 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "campaign/pairs/pair_work.hpp"
-#include "campaign/run.hpp"
-#include "hunting/archive.hpp"
-#include "hunting/observation.hpp"
+#include "hunting/observed_pairs.hpp"
 
 namespace manifuzz {
 
@@ -17,9 +14,6 @@ inline constexpr CaseNumber kLongestGeneration = 8192;
 /// The one regime of a plan whose cases a hunt breeds.
 inline constexpr Regime kHunted{kRegimeOfHunts, "cases that a hunt bred of others", nullptr};
 
-/// Is told of a case once it is judged, in the job's process.
-using OnJudged = std::function<void(CaseNumber number, const JudgedPair& judged)>;
-
 /// What a hunt begins with, and what it keeps.
 struct Breed {
   std::vector<const Regime*> regimes;  ///< that cases are drawn from
@@ -28,33 +22,23 @@ struct Breed {
   OnJudged on_judged{};                ///< besides what is learnt here
 };
 
-/// The greatest of one gauge.
-struct Worst {
-  double value = 0;  ///< 0: none
-  CaseNumber number = 0;
-};
-using WorstOfGauges = std::array<Worst, kGauges>;
-
 /// The cases of a hunt, generation by generation. Each generation is bred from the archive as it
 /// stood when it began, each of its cases by the seed and its number alone: so any number of jobs
 /// finds the same.
-class HuntedPairs : public WorkOnPairs {
+class HuntedPairs : public ObservedPairs {
  public:
   HuntedPairs(Breed breed, const Plan& plan);
 
   std::string options_again(const Plan& plan, CaseNumber number) const override;
   bool has_budgets() const override { return false; }
   PairCase pair(const Plan& plan, CaseNumber number) const override;
-  void learn(CaseNumber number, const JudgedPair& judged) const override;
 
   /// The cases that come next, at most so many: a generation.
   SharedQueue::Block begin_generation(CaseNumber most);
   /// Takes what became of it into the archive. `tally` is of all generations, this one included:
   /// cases that it tells of can be had from now on.
-  void end_generation(const Plan& plan, const Tally& tally);
+  void end_generation(const Tally& tally);
 
-  std::size_t cell_count() const { return archive_.cell_count(); }
-  const WorstOfGauges& worst() const { return worst_; }
   std::size_t generations() const { return generations_; }
 
  private:
@@ -82,25 +66,23 @@ class HuntedPairs : public WorkOnPairs {
   std::array<double, kSources> shares_of_sources() const;
   PairCase born(CaseNumber number) const;
   PairCase drawn(CaseNumber number) const;
-  void keep_worst(CaseNumber number, const Observation& observed);
   bool is_elite(Gauge gauge, const Observation& observed) const;
   void keep_elite(Gauge gauge, const Observation& observed, EntryId entry);
-  void keep_cases_of(const Plan& plan, const Tally& tally);
+  void keep_cases_of(const Tally& tally);
+  PairCase kept_or_born(CaseNumber number) const;
+  PairCase to_keep(CaseNumber number) const override { return kept_or_born(number); }
+  void take_in(CaseNumber number, const Observation& observed,
+               const std::optional<Archive::Taken>& taken) override;
 
   Breed breed_;
   std::uint64_t seed_;
   GenerationContext context_;
-  Archive archive_;
   std::array<Yield, kSources> yields_{};
-  WorstOfGauges worst_{};
   /// The cases of the greatest values of each gauge, which the archive holds.
   std::array<std::multimap<double, EntryId, std::greater<>>, kGauges> elite_;
   std::map<CaseNumber, PairCase> kept_;
   std::size_t generations_ = 0;
-  // The generation at work.
-  CaseNumber begin_ = 0;
-  std::vector<Birth> births_;
-  Shared<Observation> observations_;
+  std::vector<Birth> births_;  ///< of the generation at work
 };
 
 }  // namespace manifuzz

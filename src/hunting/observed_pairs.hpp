@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "campaign/pairs/pair_work.hpp"
+#include "campaign/run.hpp"
+#include "hunting/archive.hpp"
+#include "hunting/observation.hpp"
+
+namespace manifuzz {
+
+/// Is told of a case once it is judged, in the job's process.
+using OnJudged = std::function<void(CaseNumber number, const JudgedPair& judged)>;
+
+/// The greatest of one gauge.
+struct Worst {
+  double value = 0;  ///< 0: none
+  CaseNumber number = 0;
+};
+using WorstOfGauges = std::array<Worst, kGauges>;
+
+/// The regimes' pair cases, some at a time, of which an archive and the greatest of each gauge are
+/// kept.
+class ObservedPairs : public WorkOnPairs {
+ public:
+  /// At most so many at a time.
+  ObservedPairs(CaseNumber most, const std::optional<Measure>& measure, OnJudged on_judged)
+      : measure_(measure), on_judged_(std::move(on_judged)), observations_(most) {}
+
+  void learn(CaseNumber number, const JudgedPair& judged) const override;
+
+  /// These cases come next.
+  void begin_part(SharedQueue::Block cases);
+  /// Takes what became of them into the archive. Cases are made there if they are to be bred from.
+  void end_part();
+
+  std::size_t cell_count() const { return archive_.cell_count(); }
+  const WorstOfGauges& worst() const { return worst_; }
+
+ protected:
+  /// The case of that number, for the archive; of cases that are only counted, an empty one.
+  virtual PairCase to_keep(CaseNumber) const { return {}; }
+  /// What became of a case that was run, and, if it is well posed, what it took of the archive.
+  virtual void take_in(CaseNumber, const Observation&, const std::optional<Archive::Taken>&) {}
+
+  const std::optional<Measure>& measure() const { return measure_; }
+  Archive& archive() { return archive_; }
+  const Archive& archive() const { return archive_; }
+  const SharedQueue::Block& cases() const { return cases_; }
+
+ private:
+  std::optional<Measure> measure_;
+  OnJudged on_judged_;
+  Shared<Observation> observations_;
+  SharedQueue::Block cases_;
+  Archive archive_;
+  WorstOfGauges worst_{};
+};
+
+}  // namespace manifuzz
