@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +8,7 @@
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "campaign/run.hpp"
+#include "cli/campaign_options.hpp"
 #include "cli/campaign_page.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
@@ -23,31 +23,14 @@
 namespace manifuzz {
 namespace {
 
-constexpr double kDefaultSeconds = 10;
-constexpr std::uint64_t kJobsMax = 256;
-
-struct FuzzArguments {
-  SubjectAndOracle colliders;
-  std::optional<std::uint64_t> seed;
-  std::optional<std::uint64_t> cases;
+struct FuzzArguments : CampaignOptions {
   std::string share;
-  std::optional<double> seconds;
   std::optional<std::uint64_t> first;
-  std::optional<std::uint64_t> jobs;
   std::optional<std::uint64_t> judge_every;
-  std::vector<std::string> regimes;
-  std::optional<double> tie_bias;
-  std::optional<double> radius;
-  CorpusFolders folders;
-  std::string json;
   bool until_new = false;
   std::optional<double> until_risk;
-  bool is_verbose = false;
   bool has_ties = false;
-  std::optional<double> shrink_seconds;
-  std::string today;
   std::string baseline;
-  std::string report;
   CiOutput ci;
 };
 
@@ -63,12 +46,7 @@ void plan_cases(Plan& plan, const FuzzArguments& options) {
     expect_regimes_of(*kind, options.regimes);
     return kind->plan(plan, asked, options.regimes);
   }
-  plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
-  plan.oracle = find_collider(asked.oracle, asked.external);
-  expect_regimes_of_pairs(options.regimes);
-  plan.regimes = regimes_for({plan.subject, plan.oracle}, options.regimes);
-  if (options.radius) plan.context.radius = radius_of(*options.radius);
-  narrow_to_colliders(plan);
+  plan_pairs(plan, options);
 }
 
 /// All of the plan that options decide; what is wrong with them comes before a seed is drawn.
@@ -85,9 +63,8 @@ Plan plan_of(const FuzzArguments& options) {
   plan.has_ties = options.has_ties;
   plan.seconds = options.seconds;
   const bool has_end = options.cases || options.seconds || options.until_new || options.until_risk;
-  if (!has_end) plan.seconds = kDefaultSeconds;
-  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
-  plan.jobs = static_cast<int>(options.jobs.value_or(cores));
+  if (!has_end) plan.seconds = kSecondsUnsaid;
+  plan.jobs = jobs_of(options);
   plan.judge_every = options.judge_every.value_or(usual_judge_every(plan.subject, plan.oracle));
   return plan;
 }
@@ -104,8 +81,7 @@ SubjectAndOracle asked_again(const FuzzArguments& options) {
 std::string repeating_command(const FuzzArguments& options) {
   std::string command =
       fmt::format("{} fuzz {}", this_program(), options_again(asked_again(options)));
-  if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
-  if (options.radius) command += fmt::format(" --radius {}", *options.radius);
+  command += bias_and_radius_again(options);
   if (options.judge_every) command += fmt::format(" --judge-every {}", *options.judge_every);
   return command + options.folders.again();
 }
@@ -152,8 +128,7 @@ CommandFiles files_of(const FuzzArguments& options) {
 }
 
 Campaign run_with_progress(const Plan& plan, const Known& known, const FuzzArguments& options) {
-  const SaveTo saved{.folder = options.folders.save_to(),
-                     .shrink_seconds = options.shrink_seconds.value_or(kShrinkSeconds)};
+  const SaveTo saved = save_to_of(options);
   const Origin origin{repeating_command(options), provenance(plan.seed, asked_by(plan))};
   const ProgressLine line;
   return run_campaign(plan, known, saved, origin,
@@ -207,39 +182,21 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
       ->excludes("--until-new")
       ->excludes("--until-risk");
   app.add_flag("--ties", options.has_ties, "shrink and save new ties, too");
-  add_length(app, "--shrink-seconds", options.shrink_seconds,
-             "seconds to spend on shrinking all findings; default: 10");
-  add_today(app, options.today);
+  add_shrinking(app, options);
   add_whole_number(app, "--first", options.first,
                    "index of the first case in each regime; default: 0");
-  add_whole_number(app, "--jobs", options.jobs, "number of worker processes; default: one per core",
-                   1, kJobsMax);
+  add_jobs(app, options);
   add_whole_number(
       app, "--judge-every", options.judge_every,
       "judge one in N of the cases on which both agree, too; default: 256, or 1 if a collider runs "
       "in its own process",
       1);
-  add_regimes(app, options.regimes);
-  add_length(app, "--tie-bias", options.tie_bias,
-             "tie bias of the subject: how much greater the separation of B's face must be for B "
-             "to become "
-             "the reference");
-  add_radius(app, options.radius);
-  add_corpus(app, options.folders,
-             "folder of known cases, in which new ones are saved; default: read corpus, and save "
-             "new ones in build/found of the source tree, or in found outside of it");
-  add_found(app, options.folders);
-  add_no_save(app, options.folders);
+  add_pairs_and_folders(app, options);
   add_text(
       app, "--baseline", options.baseline, "FILE",
       "--json output of an earlier run: print which buckets are new, worse or gone; exit with 1 "
       "only for new or worse ones");
-  app.add_flag(
-      "--verbose", options.is_verbose,
-      "print tables of regimes, verdicts, causes and buckets in place of the short summary");
-  add_json(app, options.json, "the summary");
-  add_text(app, "--report", options.report, "FILE.html",
-           "write an HTML page about this run and its corpus; - is stdout");
+  add_summaries(app, options, "this run");
   add_junit(app, options.ci.junit);
 }
 

@@ -1,8 +1,8 @@
 #include "hunting/hunt.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +10,7 @@
 
 #include "base/text.hpp"
 #include "campaign/result.hpp"
+#include "cli/campaign_options.hpp"
 #include "cli/campaign_page.hpp"
 #include "cli/collider_choice.hpp"
 #include "cli/commands.hpp"
@@ -24,28 +25,13 @@
 namespace manifuzz {
 namespace {
 
-constexpr double kUsualSeconds = 10;
-constexpr std::uint64_t kMostJobs = 256;
-
-struct HuntArguments {
+struct HuntArguments : CampaignOptions {
   /// The oracle is one that is seldom wrong itself: whatever it does wrong is found, too.
-  SubjectAndOracle colliders{.oracle = {"oracle", "clip64", ""}, .external = {}};
-  std::optional<std::uint64_t> seed;
-  std::optional<std::uint64_t> cases;
-  std::optional<double> seconds;
-  std::optional<std::uint64_t> jobs;
-  std::vector<std::string> regimes;
+  HuntArguments() { colliders.oracle.name = "clip64"; }
+
   std::vector<std::string> from;
   std::string measure;
   bool is_alone = false;
-  std::optional<double> tie_bias;
-  std::optional<double> radius;
-  CorpusFolders folders;
-  std::optional<double> shrink_seconds;
-  std::string today;
-  std::string json;
-  std::string report;
-  bool is_verbose = false;
 };
 
 std::optional<Measure> measure_named(const std::string& name) {
@@ -55,36 +41,28 @@ std::optional<Measure> measure_named(const std::string& name) {
 }
 
 /// The pair cases in the files and folders that --from names, one broken file being an error.
-std::vector<PairCase> founders_in(const std::vector<std::string>& paths) {
+std::vector<PairCase> founders_in(const std::vector<std::string>& named) {
+  const std::vector<std::filesystem::path> paths(named.begin(), named.end());
+  const Corpus corpus = read_corpus(paths);
+  if (!corpus.errors.empty()) throw UserError(corpus.errors.front());
   std::vector<PairCase> founders;
-  for (const std::string& path : paths) {
-    const std::filesystem::path folder(path);
-    const Corpus corpus = read_corpus({&folder, 1});
-    if (!corpus.errors.empty()) throw UserError(corpus.errors.front());
-    for (const CorpusCase& one : corpus.cases) founders.push_back(one.pair());
-  }
+  for (const CorpusCase& one : corpus.cases) founders.push_back(one.pair());
   return founders;
 }
 
 HuntPlan hunt_plan_of(const HuntArguments& options) {
   HuntPlan hunt;
   Plan& plan = hunt.plan;
-  const SubjectAndOracle& asked = options.colliders;
-  if (const OtherKind* const kind = kind_for(asked.subject)) {
+  const ColliderChoice& subject = options.colliders.subject;
+  if (const OtherKind* const kind = kind_for(subject)) {
     throw UserError(fmt::format("hunt: {} takes {}; a collider of pairs is expected",
-                                printable(asked.subject.name), kind->noun));
+                                printable(subject.name), kind->noun));
   }
-  plan.subject = find_collider(asked.subject, asked.external, options.tie_bias);
-  plan.oracle = find_collider(asked.oracle, asked.external);
-  expect_regimes_of_pairs(options.regimes);
-  plan.regimes = regimes_for({plan.subject, plan.oracle}, options.regimes);
-  if (options.radius) plan.context.radius = radius_of(*options.radius);
-  narrow_to_colliders(plan);
+  plan_pairs(plan, options);
   plan.cases = options.cases;
   plan.seconds = options.seconds;
-  if (!options.cases && !options.seconds) plan.seconds = kUsualSeconds;
-  plan.jobs =
-      static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
+  if (!options.cases && !options.seconds) plan.seconds = kSecondsUnsaid;
+  plan.jobs = jobs_of(options);
   hunt.measure = measure_named(options.measure);
   hunt.compares = !options.is_alone;
   hunt.founders = founders_in(options.from);
@@ -100,9 +78,7 @@ std::string repeating_hunt(const HuntArguments& options) {
     command += fmt::format(" --from {}", quoted_for_shell(path));
   }
   if (!options.measure.empty()) command += fmt::format(" --measure {}", options.measure);
-  if (options.tie_bias) command += fmt::format(" --tie-bias {}", *options.tie_bias);
-  if (options.radius) command += fmt::format(" --radius {}", *options.radius);
-  return command + " --no-compare" + options.folders.again();
+  return command + bias_and_radius_again(options) + " --no-compare" + options.folders.again();
 }
 
 CommandFiles files_of_hunt(const HuntArguments& options) {
@@ -123,8 +99,7 @@ int hunt(HuntArguments& options) {
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.plan.seed);
   plan.plan.context.corpus = pairs;
   const Known known = known_of(all.of(CaseKind::pair), options.today);
-  const SaveTo saved{.folder = options.folders.save_to(),
-                     .shrink_seconds = options.shrink_seconds.value_or(kShrinkSeconds)};
+  const SaveTo saved = save_to_of(options);
   const Origin origin{repeating_hunt(options), provenance(plan.plan.seed, asked_by(plan.plan))};
   Hunt hunted = [&] {
     const ProgressLine line;
@@ -164,26 +139,10 @@ void add_hunt_arguments(CLI::App& app, HuntArguments& options) {
       ->check(CLI::IsMember(std::vector<std::string>(kMeasureNames.begin(), kMeasureNames.end())));
   app.add_flag("--no-compare", options.is_alone,
                "do not run as many drawn cases beside it, to compare with");
-  add_length(app, "--shrink-seconds", options.shrink_seconds,
-             "seconds to spend on shrinking all findings; default: 10");
-  add_today(app, options.today);
-  add_whole_number(app, "--jobs", options.jobs, "number of worker processes; default: one per core",
-                   1, kMostJobs);
-  add_regimes(app, options.regimes);
-  add_length(app, "--tie-bias", options.tie_bias,
-             "tie bias of the subject: how much greater the separation of B's face must be for B "
-             "to become the reference");
-  add_radius(app, options.radius);
-  add_corpus(app, options.folders,
-             "folder of known cases, in which new ones are saved; default: read corpus, and save "
-             "new ones in build/found of the source tree, or in found outside of it");
-  add_found(app, options.folders);
-  add_no_save(app, options.folders);
-  app.add_flag("--verbose", options.is_verbose,
-               "print tables of verdicts, causes and buckets in place of the short summary");
-  add_json(app, options.json, "the summary");
-  add_text(app, "--report", options.report, "FILE.html",
-           "write an HTML page about what the hunt found and its corpus; - is stdout");
+  add_shrinking(app, options);
+  add_jobs(app, options);
+  add_pairs_and_folders(app, options);
+  add_summaries(app, options, "what the hunt found");
 }
 
 }  // namespace
