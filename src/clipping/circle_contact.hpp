@@ -91,7 +91,7 @@ std::optional<int> end_of_walk(const ConvexPolygon<Scalar>& core, int face_index
   if (is_before_face(core, face_index, point)) return std::nullopt;
   int end = is_past_second_end(core, face_index, point) ? core.next(face_index) : face_index;
   for (int steps = 0; steps < core.count; ++steps) {
-    const int nearer = nearer_vertex<Scalar>(core, end, point - core.vertices[end]);
+    const int nearer = nearer_vertex(core, end, point);
     if (nearer == end) break;
     end = nearer;
   }

@@ -61,12 +61,14 @@ Vector2<Scalar> along_face(const ConvexPolygon<Scalar>& polygon, int i) {
   return counter_clockwise_quarter(polygon.normals[i]);
 }
 
-/// The vertex, or a neighbour of it that is nearer to a place `towards` it: one past its face.
+/// The vertex, or a neighbour of it that is nearer to a place: one past which the place is along
+/// the face between. Told by the sums of `is_before_face`, so that rounding leaves no place that is
+/// neither before a face nor at a vertex.
 template <class Scalar>
-int nearer_vertex(const ConvexPolygon<Scalar>& polygon, int at, const Vector2<Scalar>& towards) {
+int nearer_vertex(const ConvexPolygon<Scalar>& polygon, int at, const Vector2<Scalar>& place) {
   const auto is_past = [&](int neighbour, const Vector2<Scalar>& along) {
-    const Scalar past = along.dot(towards);
-    return past > 0 && past >= along.dot(polygon.vertices[neighbour] - polygon.vertices[at]);
+    return along.dot(place - polygon.vertices[at]) > 0 &&
+           along.dot(polygon.vertices[neighbour] - place) <= 0;
   };
   const int previous = polygon.previous(at);
   if (is_past(previous, -along_face(polygon, previous))) return previous;
@@ -81,8 +83,8 @@ NearestPlaces<Scalar> walk_nearer(const ConvexPolygon<Scalar>& a, int i,
                                   const ConvexPolygon<Scalar>& b, int j) {
   NearestPlaces<Scalar> places = between_vertices(a, i, b, j);
   for (int steps = 0; steps < a.count + b.count; ++steps) {
-    const int nearer_i = nearer_vertex<Scalar>(a, i, places.apart);
-    const int nearer_j = nearer_vertex<Scalar>(b, j, -places.apart);
+    const int nearer_i = nearer_vertex(a, i, places.on_b);
+    const int nearer_j = nearer_vertex(b, j, places.on_a);
     if (nearer_i == i && nearer_j == j) break;
     i = nearer_i;
     j = nearer_j;
@@ -100,12 +102,26 @@ bool is_normal_at(const ConvexPolygon<Scalar>& polygon, int corner,
          direction.dot(along_face(polygon, polygon.previous(corner))) >= 0;
 }
 
+/// Whether one of a vertex's edges faces along a direction, of any length, or is perpendicular to
+/// it but for how normals are rounded. None does of a vertex that only rounding puts on the side
+/// that is near: the shape is thinner there, or the corner is flat and the direction points
+/// inwards.
+template <class Scalar>
+bool has_edge_along(const ConvexPolygon<Scalar>& polygon, int corner,
+                    const Vector2<Scalar>& direction) {
+  const Scalar least = -4 * std::numeric_limits<Scalar>::epsilon() * direction.template lpNorm<1>();
+  return polygon.normals[corner].dot(direction) >= least ||
+         polygon.normals[polygon.previous(corner)].dot(direction) >= least;
+}
+
 /// Whether the line between two vertices is normal to both shapes, so that no others are nearer.
 template <class Scalar>
 bool are_nearest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                  const NearestPlaces<Scalar>& places) {
-  return is_normal_at<Scalar>(a, places.features.a.index, places.apart) &&
-         is_normal_at<Scalar>(b, places.features.b.index, -places.apart);
+  const int i = places.features.a.index;
+  const int j = places.features.b.index;
+  return is_normal_at<Scalar>(a, i, places.apart) && is_normal_at<Scalar>(b, j, -places.apart) &&
+         has_edge_along<Scalar>(a, i, places.apart) && has_edge_along<Scalar>(b, j, -places.apart);
 }
 
 /// Whether a point lies between the ends of a face, seen along the face's normal.
@@ -130,15 +146,6 @@ NearestPlaces<Scalar> before_face(const ConvexPolygon<Scalar>& polygon, Side sid
   return {corner, foot, -out, {vertex(corner_index), of_face}};
 }
 
-/// Whether one of a vertex's edges faces along a direction. None does where only rounding, of a
-/// shape that is thinner, puts a vertex of the far side among the near ones.
-template <class Scalar>
-bool has_edge_along(const ConvexPolygon<Scalar>& polygon, int corner,
-                    const Vector2<Scalar>& direction) {
-  return polygon.normals[corner].dot(direction) >= 0 ||
-         polygon.normals[polygon.previous(corner)].dot(direction) >= 0;
-}
-
 /// A vertex of `opposing` that lies in front of the inside of a face of polygon `side`, as near to
 /// it as any but for `roundoff`, a length; nothing where there is none.
 template <class Scalar>
@@ -147,21 +154,15 @@ std::optional<NearestPlaces<Scalar>> places_at_face(const ConvexPolygon<Scalar>&
                                                     const ConvexPolygon<Scalar>& opposing,
                                                     Scalar roundoff) {
   const Vector2<Scalar>& normal = polygon.normals[found.face];
-  std::optional<int> of_far_side;
   for (int j = 0; j < opposing.count; ++j) {
     const Vector2<Scalar>& corner = opposing.vertices[j];
     const Scalar separation = normal.dot(corner - polygon.vertices[found.face]);
     if (separation > found.separation + roundoff) continue;
     if (!is_before_face(polygon, found.face, corner)) continue;
-    if (opposing.count > 1 && !has_edge_along<Scalar>(opposing, j, -normal)) {
-      if (!of_far_side) of_far_side = j;
-      continue;
-    }
+    if (!has_edge_along<Scalar>(opposing, j, -normal)) continue;
     return before_face<Scalar>(polygon, side, found.face, corner, j);
   }
-  if (!of_far_side) return std::nullopt;
-  return before_face<Scalar>(polygon, side, found.face, opposing.vertices[*of_far_side],
-                             *of_far_side);
+  return std::nullopt;
 }
 
 /// The face of greatest separation, of those that separate by `least` or more, a length, that has

@@ -109,7 +109,7 @@ HWY_INLINE void order_points(D d, hn::Mask<D> reference_is_b, hn::Mask<D> has_bo
 }
 
 /// Where cores are nearest (`clipping::nearest_contact`); `among` are the lanes that may touch.
-/// Lanes whose vertex before a face has no edge that faces it become unsure.
+/// Lanes in which a place has no edge that faces the other become unsure.
 template <class D>
 HWY_INLINE void nearest_contact(D d, const Strip<D>& s, const LaneNearest<D>& nearest,
                                 hn::Vec<D> roundoff, hn::Vec<D> total_radius, hn::Mask<D> among,
@@ -124,8 +124,8 @@ HWY_INLINE void nearest_contact(D d, const Strip<D>& s, const LaneNearest<D>& ne
   const auto has_a = hn::Ge(a.flatness, zero);
   const auto has_b = hn::Ge(b.flatness, zero);
   const auto has_both = hn::And(has_a, has_b);
-  is_unsure = hn::Or(is_unsure, hn::Or(hn::AndNot(has_b, nearest.face_of[0]),
-                                       hn::AndNot(has_a, nearest.face_of[1])));
+  // At a vertex none faces the other shape only by rounding; a vertex before a face is no other.
+  is_unsure = hn::Or(is_unsure, hn::AndNot(has_both, touches));
   const auto take_b = hn::Or(hn::Not(has_a), hn::And(has_both, hn::Gt(b.flatness, a.flatness)));
   const auto take_b_int = hn::RebindMask(di, take_b);
   const auto kinds = [&](int p, int bit) {

@@ -119,12 +119,12 @@ struct LaneNearest {
 
 /// One step of `clipping::walk_nearer` for one vertex, towards a place.
 template <class D>
-HWY_INLINE hn::Vec<DInt<D>> nearer_vertex(D d, const LaneCorner<D>& at, const Lanes2<D>& towards) {
+HWY_INLINE hn::Vec<DInt<D>> nearer_vertex(D d, const LaneCorner<D>& at, const Lanes2<D>& place) {
   const DInt<D> di;
+  const auto zero = hn::Zero(d);
   const auto is_past = [&](const Lanes2<D>& neighbour, const Lanes2<D>& along) {
-    const auto past = dot(along, towards);
-    return hn::RebindMask(di, hn::And(hn::Gt(past, hn::Zero(d)),
-                                      hn::Ge(past, dot(along, subtract(neighbour, at.vertex)))));
+    return hn::RebindMask(di, hn::And(hn::Gt(dot(along, subtract(place, at.vertex)), zero),
+                                      hn::Le(dot(along, subtract(neighbour, place)), zero)));
   };
   const auto previous = is_past(at.before, opposite(along_face(at.normal_before)));
   const auto next = is_past(at.after, along_face(at.normal));
@@ -146,8 +146,8 @@ HWY_INLINE void walk_nearer(D d, const Strip<D>& s, hn::Mask<D>& walks,
     walks = hn::AndNot(are_nearest, walks);
     if (step == kSteps || hn::AllFalse(d, walks)) return;
     const auto walks_int = hn::RebindMask(DInt<D>(), walks);
-    const auto nearer_a = nearer_vertex(d, corner[0], apart);
-    const auto nearer_b = nearer_vertex(d, corner[1], back);
+    const auto nearer_a = nearer_vertex(d, corner[0], corner[1].vertex);
+    const auto nearer_b = nearer_vertex(d, corner[1], corner[0].vertex);
     find_corner(d, s, 0, hn::IfThenElse(walks_int, nearer_a, corner[0].index), corner[0]);
     find_corner(d, s, 1, hn::IfThenElse(walks_int, nearer_b, corner[1].index), corner[1]);
   }
