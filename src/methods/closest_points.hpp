@@ -37,6 +37,14 @@ Manifold<Scalar> contact_at_face(const ConvexPolygon<Scalar>& a, const ConvexPol
   return manifold;
 }
 
+/// By how much of its length a placed core's normals, and separations along them, are off: those of
+/// a rotation that is not quite unit are as long as it is.
+template <class Scalar>
+Scalar stretch_of_normals(const ConvexPolygon<Scalar>& placed) {
+  if (placed.face_count() == 0) return 0;
+  return std::abs(placed.normals[0].squaredNorm() - 1) / 2;
+}
+
 /// The contact at the face that separates most, or at one that rounding cannot tell from it, where
 /// the other core is nearest between the face's ends; none where it is so at no face. The depth is
 /// that of the greatest separation.
@@ -46,7 +54,7 @@ std::optional<Manifold<Scalar>> contact_inside_faces(const ConvexPolygon<Scalar>
                                                      const NearestFaces<Scalar>& faces,
                                                      PlaceAtFace what, Scalar roundoff) {
   const Scalar separation = faces.separation();
-  const Scalar apart = 2 * roundoff;  // both of two separations are rounded
+  const Scalar apart = 2 * roundoff + std::abs(separation) * stretch_of_normals(b);
   const FoundFace<Scalar>* best = nullptr;
   PlaceOfOther<Scalar> place_at_best;
   for (const FoundFace<Scalar>& face : std::span(faces.all.data(), faces.count)) {

@@ -56,18 +56,40 @@ void add_faces(const ConvexPolygon<Scalar>& core, Side side, int first, int last
   add(last);
 }
 
+/// Whether some face from the one before vertex `first` to the one after vertex `last` faces along
+/// a direction; of a shape that is thinner than rounding the vertices may be those of the far side.
+template <class Scalar>
+bool has_face_along(const ConvexPolygon<Scalar>& core, int first, int last,
+                    const Vector2<Scalar>& direction) {
+  for (int i = first; i != last; i = core.next(i)) {
+    if (clipping::has_edge_along(core, i, direction)) return true;
+  }
+  return clipping::has_edge_along(core, last, direction);
+}
+
 /// The faces at the feature of 1 or 2 vertices of the difference that is nearest to the origin. A
 /// face's separation is never more than the true one, so that looking at too many faces does no
 /// harm; and the nearest face is among these, since the difference's outline between its vertices
-/// consists of faces of A and B between theirs.
+/// consists of faces of A and B between theirs. Where none of a core's faces the other, all are.
 template <class Scalar>
 NearestFaces<Scalar> nearest_faces(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                    const Simplex& feature) {
   const SupportPair first = feature.vertices[0];
   const SupportPair last = feature.vertices[feature.count - 1];
+  const Difference<Scalar> difference(a, b);
+  const Vector2<Scalar> inward =
+      (feature.count == 1 ? difference.vertex(first)
+                          : counter_clockwise_quarter(difference.edge(first, last)))
+          .template cast<Scalar>();
   NearestFaces<Scalar> faces;
-  add_faces(a, Side::a, first.a, last.a, b, faces);
-  add_faces(b, Side::b, first.b, last.b, a, faces);
+  const auto add = [&](const ConvexPolygon<Scalar>& core, Side side, int from, int to,
+                       const ConvexPolygon<Scalar>& other, const Vector2<Scalar>& outward) {
+    const bool is_near_side = has_face_along(core, from, to, outward);
+    add_faces(core, side, from, is_near_side ? to : core.previous(core.previous(from)), other,
+              faces);
+  };
+  add(a, Side::a, first.a, last.a, b, inward);
+  add(b, Side::b, first.b, last.b, a, -inward);
   return faces;
 }
 
@@ -95,29 +117,34 @@ std::optional<PlaceOfOther<Scalar>> place_inside_face(const ConvexPolygon<Scalar
                                                       PlaceAtFace what, Scalar most) {
   const Vector2<Scalar>& from = polygon.vertices[found.face];
   const Vector2<Scalar>& to = polygon.vertices[polygon.next(found.face)];
+  const Vector2<Scalar>& normal = polygon.normals[found.face];
   const Vector2<Scalar> along = clipping::along_face(polygon, found.face);
   const auto before = [&](int j) { return along.dot(from - other.vertices[j]); };
   const auto after = [&](int j) { return along.dot(other.vertices[j] - to); };
   const bool is_before = before(found.deepest) > 0;
   const auto outside = [&](int j) { return is_before ? before(j) : after(j); };
+  // The other's edges run against the face: what is farther along it comes before. Those of the far
+  // side run along it, of which rounding may take a vertex for the deepest.
+  const bool is_near_side = clipping::has_edge_along<Scalar>(other, found.deepest, -normal);
+  const bool goes_back = is_before == is_near_side;
   int last = found.deepest;
   int j = last;
-  while (outside(j) > 0) {
+  for (int steps = 0; outside(j) > 0; ++steps) {
     last = j;
-    // The other's edges run against the face: what is farther along it comes before.
-    j = is_before ? other.previous(j) : other.next(j);
-    if (outside(j) >= outside(last)) return std::nullopt;
+    j = goes_back ? other.previous(j) : other.next(j);
+    // Rounding leaves edges without length, which lead nowhere and no farther away.
+    if (outside(j) > outside(last) || steps == other.count) return std::nullopt;
   }
   PlaceOfOther<Scalar> place{other.vertices[j], clipping::face(found.face), clipping::vertex(j)};
   if (j != last && what == PlaceAtFace::on_edge) {
     const Scalar share = outside(last) / (outside(last) - outside(j));
     place = {other.vertices[last] + share * (other.vertices[j] - other.vertices[last]),
              clipping::vertex(is_before ? found.face : polygon.next(found.face)),
-             clipping::face(is_before ? j : last)};
+             clipping::face(goes_back ? j : last)};
   } else if ((is_before ? after(j) : before(j)) > 0) {
     return std::nullopt;
   }
-  if (polygon.normals[found.face].dot(place.position - from) > most) return std::nullopt;
+  if (normal.dot(place.position - from) > most) return std::nullopt;
   return place;
 }
 
