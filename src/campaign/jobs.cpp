@@ -52,6 +52,14 @@ std::unique_ptr<Tally> added(const Shared<CampaignJob>& jobs) {
 
 }  // namespace
 
+void add(JobsResult& all, const JobsResult& part) {
+  all.tally->add(*part.tally);
+  all.seconds += part.seconds;
+  all.interrupted = part.interrupted;
+  all.given_up = part.given_up;
+  all.why_given_up = part.why_given_up;
+}
+
 JobsResult run_jobs(const Plan& plan, SharedQueue::Block cases, Interruption& interruption,
                     const OnProgress& on_progress) {
   const Shared<CampaignRun> run;

@@ -10,6 +10,7 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "campaign/property_failure.hpp"
 #include "campaign/replay.hpp"
 #include "corpus/corpus.hpp"
 #include "corpus/shrink.hpp"
@@ -34,11 +35,6 @@ void showValue(const Drawn& drawn, std::ostream& out) {
 }
 
 using CheckCase = std::function<Outcome(const PairCase&)>;
-
-bool fails_alike(const Outcome& outcome, const Outcome& root) {
-  return outcome.kind == Outcome::Kind::fails && outcome.why == root.why &&
-         is_about(outcome.magnitude, root.magnitude);
-}
 
 /// Simpler cases that fail in the root's way and no less: left alone, RapidCheck takes any failure,
 /// and slides a gross one to just above the tolerance.
@@ -106,20 +102,6 @@ struct RunSlot {
   SharedText<1 << 16> report;
   SharedText<1 << 16> reproduce;
 };
-
-/// The collider, which declines whatever there is no time for: from then on a property holds of all
-/// that is left, shrinking included.
-Collider until(const std::function<bool()>& is_over, const Collider& collider) {
-  Collider hurried = collider;
-  hurried.collide = [collider, is_over](const PairCase& pair) -> Answer {
-    Answer answer = Unsupported{"time is up"};
-    if (is_over()) return answer;
-    if (!collider.is_isolated()) return collider.collide(pair);
-    collider.collide_many({&pair, 1}, {&answer, 1}, [&is_over] { return !is_over(); });
-    return answer;
-  };
-  return hurried;
-}
 
 void describe_failure(RunSlot& slot, const rc::detail::FailureResult& failure,
                       const std::string& id) {

@@ -11,8 +11,8 @@
 
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
+#include "campaign/property_failure.hpp"
 #include "engines/asked_engines.hpp"
-#include "process/pool.hpp"
 
 namespace manifuzz {
 namespace {
@@ -24,13 +24,6 @@ bool was_against_subject(const Expectation& expect) {
   return (expect.bucket.starts_with("subject/") && !expect.bucket.starts_with("subject/known/")) ||
          expect.bucket.starts_with("both/");
 }
-
-/// What a child that checks a property leaves behind.
-struct OutcomeSlot {
-  Outcome::Kind kind = Outcome::Kind::holds;
-  SharedText<512> why;
-  double magnitude = 0;
-};
 
 /// Of a failure that may be accepted by that key.
 Replayed failed_unless_accepted(const std::string& key, const WorstError& error, const Known& known,
@@ -48,17 +41,8 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject, co
     return {false, fmt::format("a property named {}", recorded.property), "there is none"};
   }
   const std::string sentence(property->sentence);
-  const Shared<OutcomeSlot> slot;
-  const auto body = [&] {
-    const Outcome outcome = check(*property, subject, recorded.pair());
-    slot->kind = outcome.kind;
-    slot->magnitude = outcome.magnitude;
-    slot->why.set(outcome.why);
-  };
-  const Ending ending = run_in_child(body, case_seconds_max(subject, subject), interruption);
-  if (ending == Ending::stopped) throw Interrupted();
-  const bool has_ended = ending == Ending::done;
-  const bool fails = !has_ended || slot->kind == Outcome::Kind::fails;
+  const Outcome outcome = check_in_child(*property, subject, recorded.pair(), interruption);
+  const bool fails = outcome.kind == Outcome::Kind::fails;
   if (!fails && !takes(subject, recorded.pair())) {
     return {.expected = sentence, .got = "", .is_unsupported = true};
   }
@@ -66,9 +50,8 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject, co
     return {
         .passed = true, .expected = sentence, .got = "", .is_stale = recorded.accepted.has_value()};
   }
-  const std::string got = has_ended ? slot->why.str() : lost_by(ending).why;
   return failed_unless_accepted(finding_key(property->name, subject.declaration.name),
-                                {slot->magnitude, {}}, known, sentence, got);
+                                {outcome.magnitude, {}}, known, sentence, outcome.why);
 }
 
 /// Of a subject that is wrong.
@@ -233,23 +216,6 @@ ReplayRun replay_cases(const std::vector<CorpusCase>& cases, const TrialOf& tria
   return run;
 }
 
-namespace {
-
-/// Writes the failing case to the corpus and returns its path.
-std::string save(const std::string& corpus, const Property& property, const Collider& subject,
-                 const PropertyResult& result) {
-  CorpusCase failing;
-  failing.any = *result.failing;
-  failing.property = std::string(property.name);
-  failing.expect.emplace().subject = subject.declaration.name;
-  failing.expect->magnitude = result.magnitude;
-  failing.note = fmt::format("{} {}: {}: {}.", subject.declaration.name,
-                             subject.declaration.version, property.sentence, result.why);
-  return write_corpus_case(std::filesystem::path(corpus) / "regressions", failing).string();
-}
-
-}  // namespace
-
 std::vector<CheckedProperty> check_properties(
     const std::vector<const Property*>& chosen, const Collider& subject, const PropertyPlan& plan,
     const Known& known, const Deadline& deadline, const std::string& save_to,
@@ -263,19 +229,7 @@ std::vector<CheckedProperty> check_properties(
     in_turn.interruption = &interruption;
     CheckedProperty checked{property, run_property(*property, subject, in_turn)};
     checked.seconds = seconds_since(start);
-    if (!checked.result.passed) {
-      const KnownAs as = known_as(finding_key(property->name, subject.declaration.name),
-                                  {checked.result.magnitude, {}}, known);
-      checked.objection = as.objection;
-      checked.is_accepted = as.is_accepted();
-    }
-    try {
-      if (checked.result.failing && !checked.is_accepted && !save_to.empty()) {
-        checked.saved = save(save_to, *property, subject, checked.result);
-      }
-    } catch (const UserError& error) {
-      checked.why_unsaved = error.what();
-    }
+    if (!checked.result.passed) settle_failure(checked, subject, known, save_to);
     on_checked(checked);
     all.push_back(checked);
     if (signals.is_stopped()) break;

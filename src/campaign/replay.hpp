@@ -99,8 +99,13 @@ struct CheckedProperty {
   std::string why_unsaved{};  ///< why it could not be
   bool is_accepted = false;   ///< it fails, no worse than the corpus accepts
   std::string objection{};    ///< why not, where the corpus accepts less
+  /// The names and options by which a hunt has it again; else its name does.
+  std::string hunted_by{};
 
   bool holds() const { return result.passed || is_accepted; }
+  std::string names_again() const {
+    return hunted_by.empty() ? std::string(property->name) : hunted_by;
+  }
   /// Whether there was no time for a single case.
   bool is_left_out() const { return result.passed && result.cases == 0; }
   /// Whether it passes because it said something of no case: the collider does not offer what it

@@ -33,6 +33,13 @@ struct JobsResult {
   std::string why_given_up{};  ///< what became of its last answer, in words
 };
 
+/// Adds a part of a run to what there is of it.
+void add(JobsResult& all, const JobsResult& part);
+
+inline bool has_ended(const JobsResult& run) {
+  return run.interrupted || run.given_up != Fault::none;
+}
+
 /// The verdict on a case. Where both plainly agree, only one case in `judge_every` is judged.
 Judgement judgement_on(const Plan& plan, CaseNumber number,
                        const std::shared_ptr<const exact::Truth>& truth,

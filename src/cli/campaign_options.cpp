@@ -25,9 +25,9 @@ void plan_pairs(Plan& plan, const CampaignOptions& options) {
   narrow_to_colliders(plan);
 }
 
-int jobs_of(const CampaignOptions& options) {
+int jobs_of(const std::optional<std::uint64_t>& jobs) {
   const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
-  return static_cast<int>(options.jobs.value_or(cores));
+  return static_cast<int>(jobs.value_or(cores));
 }
 
 SaveTo save_to_of(const CampaignOptions& options) {
@@ -48,9 +48,9 @@ void add_shrinking(CLI::App& app, CampaignOptions& options) {
   add_today(app, options.today);
 }
 
-void add_jobs(CLI::App& app, CampaignOptions& options) {
-  add_whole_number(app, "--jobs", options.jobs, "number of worker processes; default: one per core",
-                   1, kJobsMax);
+CLI::Option* add_jobs(CLI::App& app, std::optional<std::uint64_t>& jobs) {
+  return add_whole_number(app, "--jobs", jobs, "number of worker processes; default: one per core",
+                          1, kJobsMax);
 }
 
 void add_pairs_and_folders(CLI::App& app, CampaignOptions& options) {

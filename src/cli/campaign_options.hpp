@@ -38,14 +38,14 @@ inline constexpr double kSecondsUnsaid = 10;
 /// Gives the plan its colliders, and the regimes and shapes that these take.
 void plan_pairs(Plan& plan, const CampaignOptions& options);
 /// So many worker processes, or one per core.
-int jobs_of(const CampaignOptions& options);
+int jobs_of(const std::optional<std::uint64_t>& jobs);
 SaveTo save_to_of(const CampaignOptions& options);
 /// --tie-bias and --radius again, for a shell, each with the space before it.
 std::string bias_and_radius_again(const CampaignOptions& options);
 
 /// Adds --shrink-seconds and --today.
 void add_shrinking(CLI::App& app, CampaignOptions& options);
-void add_jobs(CLI::App& app, CampaignOptions& options);
+CLI::Option* add_jobs(CLI::App& app, std::optional<std::uint64_t>& jobs);
 /// Adds --regime, --tie-bias, --radius, --corpus, --found and --no-save.
 void add_pairs_and_folders(CLI::App& app, CampaignOptions& options);
 /// Adds --verbose, --json and --report; `about` is what the page is about.

@@ -5,19 +5,6 @@
 namespace manifuzz {
 namespace {
 
-/// Adds a part of a run to what there is of it.
-void add(JobsResult& all, JobsResult part) {
-  all.tally->add(*part.tally);
-  all.seconds += part.seconds;
-  all.interrupted = part.interrupted;
-  all.given_up = part.given_up;
-  all.why_given_up = part.why_given_up;
-}
-
-bool has_ended(const JobsResult& run) {
-  return run.interrupted || run.given_up != Fault::none;
-}
-
 class Hunting {
  public:
   Hunting(const HuntPlan& hunt, const OnHuntProgress& on_progress)
@@ -26,13 +13,14 @@ class Hunting {
         drawn_plan_(hunt.plan),
         plan_(hunt.plan),
         bred_(std::make_shared<HuntedPairs>(
-            Breed{hunt.plan.regimes, hunt.founders, hunt.measure, hunt.on_hunted}, hunt.plan)) {
+            Breed{hunt.plan.regimes, hunt.founders, aim_at(hunt.measure), hunt.on_hunted},
+            hunt.plan)) {
     plan_.regimes = {&kHunted};
     plan_.work = bred_;
     plan_.judge_every = drawn_plan_.judge_every = 1;
     if (!hunt.compares) return;
     drawn_ = std::make_shared<ObservedPairs>(kLongestGeneration + hunt.founders.size(),
-                                             hunt.measure, hunt.on_drawn);
+                                             aim_at(hunt.measure), hunt.on_drawn);
     drawn_plan_.work = drawn_;
   }
 

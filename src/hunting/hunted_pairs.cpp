@@ -39,7 +39,7 @@ std::set<CaseNumber> numbers_in(const Tally& tally) {
 }  // namespace
 
 HuntedPairs::HuntedPairs(Breed breed, const Plan& plan)
-    : ObservedPairs(kLongestGeneration + breed.founders.size(), breed.measure, breed.on_judged),
+    : ObservedPairs(kLongestGeneration + breed.founders.size(), breed.aim, breed.on_judged),
       breed_(std::move(breed)),
       seed_(plan.seed),
       context_(plan.context) {}
@@ -137,7 +137,7 @@ EntryId HuntedPairs::parent_from(Source source, Random& random,
       return less_used(newest, random);
     case Source::worst: {
       std::vector<EntryId> elite;
-      const int gauge = random.integer(0, static_cast<int>(kGauges) - 1);
+      const int gauge = random.integer(0, static_cast<int>(aim().gauges) - 1);
       for (const auto& [value, entry] : elite_[static_cast<std::size_t>(gauge)]) {
         elite.push_back(entry);
       }
@@ -182,17 +182,17 @@ SharedQueue::Block HuntedPairs::begin_generation(CaseNumber most) {
   return cases();
 }
 
-bool HuntedPairs::is_elite(Gauge gauge, const Observation& observed) const {
-  if (measure() && measure_of(gauge) != *measure()) return false;
-  const auto& elite = elite_[static_cast<std::size_t>(gauge)];
-  const double value = observed[gauge];
+bool HuntedPairs::is_elite(std::size_t gauge, const Observation& observed) const {
+  if (!aim().seeks(gauge)) return false;
+  const auto& elite = elite_[gauge];
+  const double value = observed.gauges[gauge];
   const bool is_enough = elite.size() < kElite || value > std::prev(elite.end())->first;
   return value > 0 && is_enough && !elite.contains(value);
 }
 
-void HuntedPairs::keep_elite(Gauge gauge, const Observation& observed, EntryId entry) {
-  auto& elite = elite_[static_cast<std::size_t>(gauge)];
-  elite.emplace(observed[gauge], entry);
+void HuntedPairs::keep_elite(std::size_t gauge, const Observation& observed, EntryId entry) {
+  auto& elite = elite_[gauge];
+  elite.emplace(observed.gauges[gauge], entry);
   archive().hold(entry);
   if (elite.size() <= kElite) return;
   const auto last = std::prev(elite.end());
@@ -218,10 +218,9 @@ void HuntedPairs::take_in(CaseNumber number, const Observation& observed,
   if (!taken) return;
   yield.cells += taken->new_cells;
   std::optional<EntryId> entry = taken->entry;
-  for (std::size_t k = 0; k < kGauges; ++k) {
-    const auto gauge = static_cast<Gauge>(k);
+  for (std::size_t gauge = 0; gauge < aim().gauges; ++gauge) {
     if (!is_elite(gauge, observed)) continue;
-    if (!entry) entry = archive().put(kept_or_born(number), value_of(observed, measure()));
+    if (!entry) entry = archive().put(kept_or_born(number), aim().value(observed));
     keep_elite(gauge, observed, *entry);
   }
 }

@@ -18,7 +18,7 @@ inline constexpr Regime kHunted{kRegimeOfHunts, "cases that a hunt bred of other
 struct Breed {
   std::vector<const Regime*> regimes;  ///< that cases are drawn from
   std::vector<PairCase> founders;      ///< cases to begin with, besides drawn ones
-  std::optional<Measure> measure;      ///< of which the greatest are kept; none: of all
+  Aim aim;                             ///< what is kept of them
   OnJudged on_judged{};                ///< besides what is learnt here
 };
 
@@ -66,8 +66,8 @@ class HuntedPairs : public ObservedPairs {
   std::array<double, kSources> shares_of_sources() const;
   PairCase born(CaseNumber number) const;
   PairCase drawn(CaseNumber number) const;
-  bool is_elite(Gauge gauge, const Observation& observed) const;
-  void keep_elite(Gauge gauge, const Observation& observed, EntryId entry);
+  bool is_elite(std::size_t gauge, const Observation& observed) const;
+  void keep_elite(std::size_t gauge, const Observation& observed, EntryId entry);
   void keep_cases_of(const Tally& tally);
   PairCase kept_or_born(CaseNumber number) const;
   PairCase to_keep(CaseNumber number) const override { return kept_or_born(number); }
@@ -79,7 +79,7 @@ class HuntedPairs : public ObservedPairs {
   GenerationContext context_;
   std::array<Yield, kSources> yields_{};
   /// The cases of the greatest values of each gauge, which the archive holds.
-  std::array<std::multimap<double, EntryId, std::greater<>>, kGauges> elite_;
+  std::array<std::multimap<double, EntryId, std::greater<>>, kGaugesMost> elite_;
   std::map<CaseNumber, PairCase> kept_;
   std::size_t generations_ = 0;
   std::vector<Birth> births_;  ///< of the generation at work

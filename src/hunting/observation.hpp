@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -24,6 +25,9 @@ inline constexpr std::array<std::string_view, 5> kGaugeNames{
     "error", "missed", "bound_share.normal", "bound_share.position", "bound_share.depth"};
 inline constexpr std::size_t kGauges = kGaugeNames.size();
 
+/// An observation has room for so many gauges, whatever they gauge.
+inline constexpr std::size_t kGaugesMost = 24;
+
 Measure measure_of(Gauge gauge);
 
 /// What became of a case: plain data, for shared memory.
@@ -31,7 +35,7 @@ struct Observation {
   bool is_there = false;       ///< it was run
   bool is_well_posed = false;  ///< the separation bound is at most 5% of the size
   Conditions conditions{};
-  std::array<double, kGauges> gauges{};
+  std::array<double, kGaugesMost> gauges{};
   /// How near a missed contact is: as small as slab margin and lead are, between 0 and 1.
   double nearness = 0;
 
@@ -39,10 +43,23 @@ struct Observation {
   double& operator[](Gauge gauge) { return gauges[static_cast<std::size_t>(gauge)]; }
 };
 
+/// What the truth alone says of a case, for a collider of that declaration.
+Observation conditions_observed(const exact::Truth& truth, const Declaration& declaration);
+
 Observation observation_of(const JudgedPair& judged);
 
 /// What a hunt keeps the greatest of in each cell; without a measure the error of a wrong answer,
 /// before that the share of a right one's bound.
 double value_of(const Observation& observed, const std::optional<Measure>& measure);
+
+/// What is kept of observed cases: the greatest of which gauges, and in each cell of what.
+struct Aim {
+  std::size_t gauges = kGauges;  ///< the first so many are gauged
+  std::function<bool(std::size_t gauge)> seeks;
+  std::function<double(const Observation&)> value;
+};
+
+/// At a measure of what two colliders answer; none: at all of them.
+Aim aim_at(const std::optional<Measure>& measure);
 
 }  // namespace manifuzz

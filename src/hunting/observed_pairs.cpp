@@ -5,7 +5,7 @@
 namespace manifuzz {
 
 void ObservedPairs::learn(CaseNumber number, const JudgedPair& judged) const {
-  observations_[number - cases_.begin] = observation_of(judged);
+  note(number, observation_of(judged));
   if (on_judged_) on_judged_(number, judged);
 }
 
@@ -22,11 +22,11 @@ void ObservedPairs::end_part() {
       take_in(number, observed, {});
       continue;
     }
-    for (std::size_t i = 0; i < kGauges; ++i) {
+    for (std::size_t i = 0; i < aim_.gauges; ++i) {
       if (observed.gauges[i] > worst_[i].value) worst_[i] = {observed.gauges[i], number};
     }
     take_in(number, observed,
-            archive_.add(observed, value_of(observed, measure_), [&] { return to_keep(number); }));
+            archive_.add(observed, aim_.value(observed), [&] { return to_keep(number); }));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "campaign/pairs/pair_work.hpp"
 #include "campaign/run.hpp"
@@ -18,15 +19,15 @@ struct Worst {
   double value = 0;  ///< 0: none
   CaseNumber number = 0;
 };
-using WorstOfGauges = std::array<Worst, kGauges>;
+using WorstOfGauges = std::array<Worst, kGaugesMost>;
 
 /// The regimes' pair cases, some at a time, of which an archive and the greatest of each gauge are
 /// kept.
 class ObservedPairs : public WorkOnPairs {
  public:
   /// At most so many at a time.
-  ObservedPairs(CaseNumber most, const std::optional<Measure>& measure, OnJudged on_judged)
-      : measure_(measure), on_judged_(std::move(on_judged)), observations_(most) {}
+  ObservedPairs(CaseNumber most, Aim aim, OnJudged on_judged)
+      : aim_(std::move(aim)), on_judged_(std::move(on_judged)), observations_(most) {}
 
   void learn(CaseNumber number, const JudgedPair& judged) const override;
 
@@ -44,13 +45,18 @@ class ObservedPairs : public WorkOnPairs {
   /// What became of a case that was run, and, if it is well posed, what it took of the archive.
   virtual void take_in(CaseNumber, const Observation&, const std::optional<Archive::Taken>&) {}
 
-  const std::optional<Measure>& measure() const { return measure_; }
+  /// Remembers, in the job's process, what became of a case of these.
+  void note(CaseNumber number, const Observation& observed) const {
+    observations_[number - cases_.begin] = observed;
+  }
+
+  const Aim& aim() const { return aim_; }
   Archive& archive() { return archive_; }
   const Archive& archive() const { return archive_; }
   const SharedQueue::Block& cases() const { return cases_; }
 
  private:
-  std::optional<Measure> measure_;
+  Aim aim_;
   OnJudged on_judged_;
   Shared<Observation> observations_;
   SharedQueue::Block cases_;

@@ -88,6 +88,7 @@ Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
   if (expected.reference != got.reference) return fails("another reference polygon", 1);
   const double turn = (expected.normal - got.normal).norm();
   if (!(turn <= within.normal)) return fails("another normal", turn);
+  double of_bound = taken_of(within.normal, turn);
   for (int i = 0; i < expected.count; ++i) {
     const auto& p = expected.points[i];
     const auto& q = got.points[i];
@@ -98,8 +99,9 @@ Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
     if (features == Features::compared && p.features != q.features) {
       return fails("other features", 0);
     }
+    of_bound = std::max({of_bound, taken_of(within.position, off), taken_of(within.depth, deeper)});
   }
-  return holds();
+  return holds(of_bound);
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +24,9 @@ struct Outcome {
   Kind kind = Kind::holds;
   std::string why;       ///< of a failure, for people
   double magnitude = 0;  ///< of a failure, as a share of the size
+  /// Of what holds: how much of its bound anything that was compared takes, at most 1; 0 where
+  /// nothing is measured.
+  double of_bound = 0;
 };
 
 class AskedCollider;
@@ -71,8 +75,12 @@ class AskedCollider {
   std::vector<PairCase> asked_;
 };
 
-inline Outcome holds() {
-  return {};
+inline Outcome holds(double of_bound = 0) {
+  return {.why = {}, .of_bound = of_bound};
+}
+/// How much of its bound a difference takes, between 0 and 1.
+inline double taken_of(double bound, double off) {
+  return bound > 0 && off > 0 ? std::min(off / bound, 1.0) : 0;
 }
 inline Outcome not_applicable() {
   return {.kind = Outcome::Kind::not_applicable, .why = {}};
@@ -127,6 +135,10 @@ Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
   PROPERTY(circles_are_limits_of_polygons, "circles-are-limits",                                  \
            "a circle is as deep as the regular polygons in it and around it, within their "       \
            "distance")
+
+#define MANIFUZZ_COUNT(function, name, sentence) +1
+inline constexpr std::size_t kPropertyCount = 0 MANIFUZZ_PROPERTIES(MANIFUZZ_COUNT);
+#undef MANIFUZZ_COUNT
 
 #define MANIFUZZ_DECLARE(function, name, sentence) \
   Outcome function(AskedCollider& ask, const PairCase& pair);

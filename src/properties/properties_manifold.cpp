@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "judging/bound_shares.hpp"
 #include "judging/judge.hpp"
 #include "properties/round_answer.hpp"
 
@@ -71,7 +72,7 @@ Outcome behind_face(const PairCase& pair, FaceOf face, const Point& at, double b
   const double front = leading(dot(unit(exact::outward<DoubleDouble>(pair, face)), from_corner)) -
                        total_radius(pair);
   if (!(front <= bound)) return fails("a point in front of the reference face", front / size(pair));
-  return holds();
+  return holds(taken_of(bound, std::max(outside, front)));
 }
 
 Outcome point_in_place(const PairCase& pair, const Manifold<double>& manifold,
@@ -91,7 +92,9 @@ Outcome point_in_place(const PairCase& pair, const Manifold<double>& manifold,
   if (of_incident.kind == Feature::Kind::vertex) {
     const double off = length(at - vertex(incident, of_incident.index));
     if (!(off <= bound)) return fails("a point off its vertex", off / unit_length);
-    return behind_face(pair, {reference, of_reference.index}, at, bound);
+    Outcome outcome = behind_face(pair, {reference, of_reference.index}, at, bound);
+    outcome.of_bound = std::max(outcome.of_bound, taken_of(bound, off));
+    return outcome;
   }
   const int edge = of_incident.index;
   const double off = distance_to_segment(at, vertex(incident, edge),
@@ -104,7 +107,7 @@ Outcome point_in_place(const PairCase& pair, const Manifold<double>& manifold,
   if (!(off_plane <= 2 * bound)) {
     return fails("a crossing off its side plane", off_plane / unit_length);
   }
-  return holds();
+  return holds(std::max(taken_of(bound, off), taken_of(2 * bound, off_plane)));
 }
 
 /// How far the second of two points lies beyond the first along the reference face.
@@ -164,17 +167,19 @@ Outcome points_lie_where_they_say(AskedCollider& ask, const PairCase& pair) {
   const Bounds within = bounds(pair, ask.declaration());
   // A normal off by its bound turns the side plane about the reference vertex.
   const double bound = within.separation + within.normal * extent(pair);
+  double of_bound = 0;
   for (int i = 0; i < manifold->count; ++i) {
     const auto& point = manifold->points[i];
     if (!(point.depth >= 0)) return fails("a point in front of the reference face", -point.depth);
     const Outcome outcome = point_in_place(pair, *manifold, point, bound);
     if (outcome.kind != Outcome::Kind::holds) return outcome;
+    of_bound = std::max(of_bound, outcome.of_bound);
   }
   const double forward = along_reference(pair, *manifold);
   if (!(forward >= -2 * bound)) {
     return fails("points against the reference face's direction", -forward / size(pair));
   }
-  return holds();
+  return holds(std::max(of_bound, taken_of(2 * bound, -forward)));
 }
 
 /// What a collider answers at bias 0 to a pair that must touch.
@@ -201,7 +206,8 @@ Outcome depth_is_the_overlap(AskedCollider& ask, const PairCase& pair) {
   if (!unbiased) return not_applicable();
   const auto& [declaration, right, manifold] = *unbiased;
   const double off = std::abs(leading(largest_depth(manifold) - true_overlap(pair, *right.truth)));
-  if (off <= widest_depth_bound(right)) return holds();
+  const double bound = widest_depth_bound(right);
+  if (off <= bound) return holds(taken_of(bound, off));
   return fails("a largest depth that is not the overlap", off / size(pair));
 }
 
@@ -211,6 +217,7 @@ Outcome depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
   if (!unbiased || unbiased->manifold.count == 0) return not_applicable();
   const auto& [declaration, right, manifold] = *unbiased;
   const Vector2<double> normal = world_normal(pair, manifold.normal);
+  double of_bound = 0;
   for (const double further : {0.0, size(pair) / 4}) {
     const double by = largest_depth(manifold) + further;
     PairCase moved = pair;
@@ -227,8 +234,10 @@ Outcome depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
                                 : "not as far apart as it was moved",
                    off / size(pair));
     }
+    // What the move was rounded by is known, and nobody's error.
+    of_bound = std::max(of_bound, taken_of(bound - rounding, off - rounding));
   }
-  return holds();
+  return holds(of_bound);
 }
 
 Outcome float_and_double_agree(AskedCollider& ask, const PairCase& pair) {
@@ -254,8 +263,12 @@ Outcome manifold_is_admissible(AskedCollider& ask, const PairCase& pair) {
   if (is_judged_by_curve(ask.declaration(), pair)) return manifold_is_right_by_curve(ask, pair);
   const auto manifold = ask.manifold(pair);
   if (!manifold) return not_applicable();
-  const Mismatch found = mismatch(*manifold, admissible(pair, ask.declaration()));
-  if (found.kind == Kind::none) return holds();
+  const Admissible right = admissible(pair, ask.declaration());
+  const Mismatch found = mismatch(*manifold, right);
+  if (found.kind == Kind::none) {
+    const ManifoldError shares = clip_shares(*manifold, right);
+    return holds(std::min(std::max({shares.normal, shares.position, shares.depth}), 1.0));
+  }
   return fails(fmt::format("wrong: {}", name_of(found.kind, kKindNames)),
                found.magnitude / size(pair));
 }

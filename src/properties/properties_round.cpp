@@ -23,9 +23,15 @@ double scale_of(const Body& body) {
 }
 
 /// By how much two intervals of the least depth are apart where `inner` is that of a shape within
-/// the other's, which reaches at most `reach` beyond it; 0 where that may be.
+/// the other's, which reaches at most `reach` beyond it; at most 0 where that may be.
 double contradiction(const RoundAnswer& inner, const RoundAnswer& outer, double reach) {
-  return std::max({0.0, inner.least() - outer.most(), outer.least() - inner.most() - reach});
+  return std::max(inner.least() - outer.most(), outer.least() - inner.most() - reach);
+}
+
+/// What holds where one is within the other, `rounding` apart: a contradiction of at most 0.
+Outcome holds_within(const RoundAnswer& inner, const RoundAnswer& outer, double rounding,
+                     double off) {
+  return holds(taken_within(inner.half_width() + outer.half_width() + rounding, off));
 }
 
 /// The circle around a capsule's core at a place of its frame.
@@ -122,7 +128,7 @@ Outcome polygon_beside_circle(AskedCollider& ask, const PairCase& pair, Side sid
   const RoundAnswer& inner = is_inside ? of_polygon : of_circle;
   const RoundAnswer& outer = is_inside ? of_circle : of_polygon;
   const double off = contradiction(inner, outer, between) - rounding;
-  if (off <= 0) return holds();
+  if (off <= 0) return holds_within(inner, outer, rounding, off);
   return fails(is_inside ? "an inscribed polygon too deep, or too shallow"
                          : "a circumscribed polygon too deep, or too shallow",
                off / size(pair));
@@ -143,6 +149,7 @@ Outcome circles_may_turn(AskedCollider& ask, const PairCase& pair) {
   // A quarter turn and one of 3, 4 and 5, about the center: the position takes what that moves.
   const Vector2<double> start =
       in_world(pair[*side], pair[*side].polygon.vertices[0].cast<double>());
+  double of_bound = 0;
   for (const Vector2<float>& turn : {Vector2<float>(0, 1), Vector2<float>(0.6F, -0.8F)}) {
     PairCase turned = pair;
     Body& body = turned[*side];
@@ -157,16 +164,17 @@ Outcome circles_may_turn(AskedCollider& ask, const PairCase& pair) {
     const double apart =
         std::max(before.least() - after.most(), after.least() - before.most()) - shift;
     if (!(apart <= 0)) return fails("another depth when turned", apart / size(pair));
+    of_bound = std::max(of_bound, taken_within(before.half_width() + after.half_width(), apart));
     if (!before.tells_normal() || !after.tells_normal()) continue;
     const double off = (world_normal(pair, before.manifold().normal) -
                         world_normal(turned, after.manifold().normal))
                            .norm();
     const double seen = shift / std::min(before.distance(), after.distance());
-    if (!(off <= before.normal_bound() + after.normal_bound() + seen)) {
-      return fails("another normal when turned", off);
-    }
+    const double bound = before.normal_bound() + after.normal_bound() + seen;
+    if (!(off <= bound)) return fails("another normal when turned", off);
+    of_bound = std::max(of_bound, taken_of(bound - seen, off - seen));
   }
-  return holds();
+  return holds(of_bound);
 }
 
 Outcome capsules_are_hulls_of_circles(AskedCollider& ask, const PairCase& pair) {
@@ -179,22 +187,26 @@ Outcome capsules_are_hulls_of_circles(AskedCollider& ask, const PairCase& pair) 
     if (!of_circle.is_given()) return not_applicable();
     const double rounding = off_core(pair, smaller, *side);
     const double off = contradiction(of_circle, of_capsule, reach) - rounding;
-    if (off <= 0) return holds();
+    if (off <= 0) return holds_within(of_circle, of_capsule, rounding, off);
     return fails("a circle within a capsule too deep, or none as deep", off / size(pair));
   };
   const ConvexPolygon<float>& capsule = pair[*side].polygon;
+  double of_bound = 0;
   for (int end = 0; end < 2; ++end) {
     PairCase smaller = pair;
     smaller[*side].polygon = circle_at(capsule.vertices[end], capsule.radius);
     const Outcome outcome = hold_against(smaller, INFINITY);
     if (outcome.kind != Outcome::Kind::holds) return outcome;
+    of_bound = std::max(of_bound, outcome.of_bound);
   }
   // Where cores are apart, the nearest circle is as deep; a circle is rounded to floats.
   const bool are_apart = of_capsule.curve().are_cores_apart();
   const PairCase smaller = with_nearest_circle(pair, *side);
   const Vector2<double> center = smaller[*side].polygon.vertices[0].cast<double>();
   const double rounding = 2 * roundoff(ScalarType::float32) * center.norm() * scale_of(pair[*side]);
-  return hold_against(smaller, are_apart ? rounding : INFINITY);
+  Outcome outcome = hold_against(smaller, are_apart ? rounding : INFINITY);
+  outcome.of_bound = std::max(of_bound, outcome.of_bound);
+  return outcome;
 }
 
 Outcome circles_are_limits_of_polygons(AskedCollider& ask, const PairCase& pair) {
@@ -206,7 +218,9 @@ Outcome circles_are_limits_of_polygons(AskedCollider& ask, const PairCase& pair)
   const double share = std::cos(std::numbers::pi / kCorners);
   const Outcome inscribed = polygon_beside_circle(ask, pair, *side, of_circle, radius, true);
   if (inscribed.kind != Outcome::Kind::holds) return inscribed;
-  return polygon_beside_circle(ask, pair, *side, of_circle, radius / share, false);
+  Outcome around = polygon_beside_circle(ask, pair, *side, of_circle, radius / share, false);
+  around.of_bound = std::max(around.of_bound, inscribed.of_bound);
+  return around;
 }
 
 }  // namespace manifuzz

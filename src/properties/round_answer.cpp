@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "judging/bound_shares.hpp"
 #include "judging/curve_answer.hpp"
 #include "judging/judge.hpp"
 
@@ -31,7 +32,8 @@ Outcome same_normal_and_place(const PairCase& pair, const RoundAnswer& here,
   const double turn = (here.manifold().normal - moved_back.normal).norm();
   const double within = here.normal_bound() + there.normal_bound();
   if (!(turn <= within)) return fails("another normal", turn);
-  if (!has_circle(pair)) return holds();
+  const double of_bound = taken_of(within, turn);
+  if (!has_circle(pair)) return holds(of_bound);
   // On the line through the circle's center, a radius and a depth from it at most.
   const ContactPoint<double>& other_deepest = moved_back.points[deepest_of(moved_back)];
   const double off =
@@ -40,11 +42,16 @@ Outcome same_normal_and_place(const PairCase& pair, const RoundAnswer& here,
     return answer.within().position + answer.within().separation;
   };
   const double arm = total_radius(pair) + std::abs(here.deepest().depth);
-  if (off <= along(here) + along(there) + within * arm) return holds();
+  const double bound = along(here) + along(there) + within * arm;
+  if (off <= bound) return holds(std::max(of_bound, taken_of(bound, off)));
   return fails("another position", off / size(pair));
 }
 
 }  // namespace
+
+double taken_within(double width, double beyond) {
+  return std::isfinite(width) ? taken_of(width, width + beyond) : 0;
+}
 
 RoundAnswer::RoundAnswer(AskedCollider& ask, const PairCase& pair)
     : truth_(pair),
@@ -85,8 +92,11 @@ Outcome same_round_contact(AskedCollider& ask, const PairCase& pair, const PairC
   if (!here.is_given() || !there.is_given()) return not_applicable();
   const double apart = std::max(here.least() - there.most(), there.least() - here.most());
   if (!(apart <= 0)) return fails("another depth", apart / size(pair));
-  if (!here.tells_normal() || !there.tells_normal()) return holds();
-  return same_normal_and_place(pair, here, there, back(there.manifold()));
+  const double of_depth = taken_within(here.half_width() + there.half_width(), apart);
+  if (!here.tells_normal() || !there.tells_normal()) return holds(of_depth);
+  Outcome outcome = same_normal_and_place(pair, here, there, back(there.manifold()));
+  outcome.of_bound = std::max(outcome.of_bound, of_depth);
+  return outcome;
 }
 
 Outcome round_depth_is_least(AskedCollider& ask, const PairCase& pair) {
@@ -94,7 +104,7 @@ Outcome round_depth_is_least(AskedCollider& ask, const PairCase& pair) {
   if (!answer.touches()) return not_applicable();
   const double least = answer.curve().least();
   const double off = std::max(answer.least() - least, least - answer.most());
-  if (off <= 0) return holds();
+  if (off <= 0) return holds(taken_within(answer.half_width(), off));
   return fails("a largest depth that is not the least overlap", off / size(pair));
 }
 
@@ -105,24 +115,29 @@ Outcome round_depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
   double excess = answer.minimality();
   if (answer.tells_normal()) excess = std::max(excess, answer.normal_bound() * extent(pair));
   const Vector2<double> normal = world_normal(pair, answer.manifold().normal);
+  double of_bound = 0;
   for (const double further : {0.0, size(pair) / 4}) {
     const double by = answer.deepest().depth + further;
     PairCase moved = pair;
     const Vector2<double> start = pair.b.pose.position.cast<double>();
     moved.b.pose.position = Vector2<double>(start + by * normal).cast<float>();
     const Vector2<double> shift = moved.b.pose.position.cast<double>() - start;
-    const double rounding = (shift - by * normal).norm() + answer.within().normal * by;
+    const double rounding = (shift - by * normal).norm();
     const exact::Truth truth(moved);
     const double left = exact::PenetrationCurve(truth, exact::Skin::round).least() + further;
-    const double depth_off = answer.most() - answer.deepest().depth + rounding;
+    const double depth_off =
+        answer.most() - answer.deepest().depth + rounding + answer.within().normal * by;
     if (left > excess + depth_off) {
       return fails(further == 0 ? "still overlapping when moved by the depth"
                                 : "not as far apart as it was moved",
                    left / size(pair));
     }
     if (left < -depth_off) return fails("farther apart than it was moved", -left / size(pair));
+    // What the move was rounded by is known, and nobody's error.
+    of_bound = std::max({of_bound, taken_of(excess + depth_off - rounding, left - rounding),
+                         taken_of(depth_off - rounding, -left - rounding)});
   }
-  return holds();
+  return holds(of_bound);
 }
 
 Outcome round_overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
@@ -138,7 +153,9 @@ Outcome manifold_is_right_by_curve(AskedCollider& ask, const PairCase& pair) {
   if (!manifold) return not_applicable();
   const ColliderAnswer answer{ask.declaration(), *manifold};
   const Judgement judgement = judge(pair, answer, answer);
-  if (judgement.bucket.fault == Fault::none) return holds();
+  if (judgement.bucket.fault == Fault::none) {
+    return holds(std::min(curve_share(exact::Truth(pair), answer), 1.0));
+  }
   return fails("wrong: " + std::string(name_of(judgement.bucket.kind, kKindNames)),
                judgement.magnitude);
 }

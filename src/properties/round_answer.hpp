@@ -28,6 +28,8 @@ class RoundAnswer {
   /// D* is between these if the answer is right: world lengths.
   double least() const { return least_; }
   double most() const { return most_; }
+  /// Half of what is between; infinite of an answer that leaves an end open.
+  double half_width() const { return (most_ - least_) / 2; }
 
   /// Whether the contact's normal is told, within `normal_bound`; a length of unit vectors.
   bool tells_normal() const { return touches() && nearest_.must_be_near(); }
@@ -52,6 +54,10 @@ class RoundAnswer {
   double least_;
   double most_;
 };
+
+/// How much a difference takes of the bounds that it is within, which are so wide together: it
+/// would exceed them by `beyond`, which is at most 0. 0 where they are open.
+double taken_within(double width, double beyond);
 
 /// Whether a pair and that pair moved get one contact: depths, and where they are told normals and
 /// the place of a circle's contact. `back` takes an answer of the moved pair to the pair's frame.

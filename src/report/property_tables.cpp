@@ -29,12 +29,13 @@ std::string line_of_names(std::string_view what, Checked checked, const auto& is
 /// The property, and the command that shows its failure.
 std::string failure_in_words(const CheckedProperty& failed, const CalledAgain& again) {
   const std::string objection = failed.objection.empty() ? "" : "; " + failed.objection;
-  const std::string command =
-      !failed.saved.empty()
-          ? fmt::format("{} show {}{}", again.program, quoted_for_shell(failed.saved),
-                        again.to_show)
-          : fmt::format("RC_PARAMS=\"{}\" {} property {} {}", failed.result.reproduce,
-                        again.program, failed.property->name, again.options);
+  const std::string drawn =
+      failed.hunted_by.empty() ? fmt::format("RC_PARAMS=\"{}\" ", failed.result.reproduce) : "";
+  const std::string command = !failed.saved.empty()
+                                  ? fmt::format("{} show {}{}", again.program,
+                                                quoted_for_shell(failed.saved), again.to_show)
+                                  : fmt::format("{}{} property {} {}", drawn, again.program,
+                                                failed.names_again(), again.options);
   return fmt::format("{} {}: {}{}\n  {}\n", bad("FAIL"), failed.property->name,
                      failed.property->sentence, objection, command);
 }

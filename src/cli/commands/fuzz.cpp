@@ -64,7 +64,7 @@ Plan plan_of(const FuzzArguments& options) {
   plan.seconds = options.seconds;
   const bool has_end = options.cases || options.seconds || options.until_new || options.until_risk;
   if (!has_end) plan.seconds = kSecondsUnsaid;
-  plan.jobs = jobs_of(options);
+  plan.jobs = jobs_of(options.jobs);
   plan.judge_every = options.judge_every.value_or(usual_judge_every(plan.subject, plan.oracle));
   return plan;
 }
@@ -185,7 +185,7 @@ void add_fuzz_arguments(CLI::App& app, FuzzArguments& options) {
   add_shrinking(app, options);
   add_whole_number(app, "--first", options.first,
                    "index of the first case in each regime; default: 0");
-  add_jobs(app, options);
+  add_jobs(app, options.jobs);
   add_whole_number(
       app, "--judge-every", options.judge_every,
       "judge one in N of the cases on which both agree, too; default: 256, or 1 if a collider runs "

@@ -62,7 +62,7 @@ HuntPlan hunt_plan_of(const HuntArguments& options) {
   plan.cases = options.cases;
   plan.seconds = options.seconds;
   if (!options.cases && !options.seconds) plan.seconds = kSecondsUnsaid;
-  plan.jobs = jobs_of(options);
+  plan.jobs = jobs_of(options.jobs);
   hunt.measure = measure_named(options.measure);
   hunt.compares = !options.is_alone;
   hunt.founders = founders_in(options.from);
@@ -140,7 +140,7 @@ void add_hunt_arguments(CLI::App& app, HuntArguments& options) {
   app.add_flag("--no-compare", options.is_alone,
                "do not run as many drawn cases beside it, to compare with");
   add_shrinking(app, options);
-  add_jobs(app, options);
+  add_jobs(app, options.jobs);
   add_pairs_and_folders(app, options);
   add_summaries(app, options, "what the hunt found");
 }

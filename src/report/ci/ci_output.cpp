@@ -91,7 +91,7 @@ TestFailure failure_of(const CheckedProperty& checked, const CalledAgain& again)
     failure.command = fmt::format("RC_PARAMS={} ", quoted_for_shell(result.reproduce));
   }
   failure.command +=
-      fmt::format("{} property {} {}", again.program, checked.property->name, again.options);
+      fmt::format("{} property {} {}", again.program, checked.names_again(), again.options);
   return failure;
 }
 
