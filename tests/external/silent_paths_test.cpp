@@ -155,6 +155,20 @@ const std::vector<Path>& paths() {
          return ask(b, {{"property", "--cases", "50", "--seed", "1"}, b.subject(), b.corpus()});
        },
        1, "FAIL"},
+      {"property", "--hunt",
+       [](const Bench& b) {
+         return ask(
+             b, {{"property", "--hunt", "--cases", "50", "--seed", "1"}, b.subject(), b.corpus()});
+       },
+       1, "FAIL"},
+      {"property", "--hunt, JUnit",
+       [](const Bench& b) {
+         return ask(
+             b, {{"property", "--hunt", "--cases", "50", "--seed", "1", "--junit", b.in("run.xml")},
+                 b.subject(),
+                 b.corpus()});
+       },
+       1, "<failure", "run.xml"},
       {"property", "JUnit",
        [](const Bench& b) {
          return ask(b, {{"property", "--cases", "50", "--seed", "1", "--junit", b.in("run.xml")},
