@@ -62,7 +62,7 @@ TEST_CASE("a hunt of properties says how much of their bounds is taken, and how 
 TEST_CASE("a hunt of properties that is interrupted keeps what it found") {
   const TemporaryFolder folder;
   const Outcome outcome = run_interruptible(
-      property(folder, {"never-empty", "--subject-command", interrupting_blind(folder, 300),
+      property(folder, {"never-empty", "--subject-command", interrupting_blind(folder, 100),
                         "--seed", "1", "--cases", "1000000"}));
   CAPTURE(outcome.err, outcome.out);
   CHECK(outcome.status == 1);
