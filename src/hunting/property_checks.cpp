@@ -1,7 +1,6 @@
 #include "hunting/property_checks.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "campaign/job.hpp"
 #include "campaign/property_failure.hpp"
@@ -24,8 +23,7 @@ Aim aim_at_properties(std::size_t count) {
 
 double measure_of(const Outcome& outcome) {
   if (outcome.kind == OutcomeKind::holds) return outcome.of_bound;
-  if (outcome.kind != OutcomeKind::fails) return 0;
-  return std::isnan(outcome.magnitude) ? INFINITY : 1 + outcome.magnitude;
+  return outcome.kind == OutcomeKind::fails ? 1 + outcome.magnitude : 0;
 }
 
 PropertyChecks::PropertyChecks(const std::vector<const Property*>& properties, const Plan& plan)

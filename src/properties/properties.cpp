@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "generating/drafts.hpp"
 #include "judging/by_curve.hpp"
@@ -40,6 +41,8 @@ Outcome check(const Property& property, const Collider& collider, const PairCase
   AskedCollider ask(collider);
   Outcome outcome = property.holds(ask, pair);
   if (ask.lost()) return fails("no answer: " + ask.lost()->why, 1);
+  // A figure that is no number is beyond all that are.
+  if (!std::isfinite(outcome.magnitude)) outcome.magnitude = std::numeric_limits<double>::max();
   if (outcome.kind == Outcome::Kind::fails &&
       std::any_of(ask.asked().begin(), ask.asked().end(),
                   [&](const PairCase& asked) { return is_explained(collider, asked); })) {

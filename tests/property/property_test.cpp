@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -144,6 +145,23 @@ TEST_CASE("scaling is asked of colliders without a length of their own alone") {
   CHECK(kind_of([](Declaration& d) { d.speculative = 0.5; }) == Kind::not_applicable);
   CHECK(kind_of([](Declaration& d) { d.least_depth = 0.5; }) == Kind::not_applicable);
   CHECK(kind_of([](Declaration& d) { d.tolerance.absolute = 0.5; }) == Kind::not_applicable);
+}
+
+TEST_CASE("a depth that is no number fails by a finite magnitude") {
+  Collider broken = find_collider("clip");
+  const auto right = broken.collide;
+  broken.collide = [right](const PairCase& pair) {
+    auto manifold = std::get<Manifold<double>>(right(pair));
+    if (pair.a.polygon.count == 3) manifold.points[0].depth = NAN;
+    return Answer(manifold);
+  };
+  const Vector2<float> triangle[] = {{0, 0}, {2, 0.5F}, {0.5F, 2}};
+  const Vector2<float> box[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  PairCase pair{{make_polygon<float>(box), {}}, {make_polygon<float>(triangle), {}}};
+  pair.b.pose.position = {0.75F, 0.125F};
+  const Outcome outcome = check(*find_by_name(properties(), "swapping-mirrors"), broken, pair);
+  CHECK(outcome.kind == Outcome::Kind::fails);
+  CHECK(std::isfinite(outcome.magnitude));
 }
 
 TEST_CASE("a string that repeats nothing is a user's error") {
