@@ -10,7 +10,6 @@ Run define_generate(CLI::App& app);
 Run define_judge(CLI::App& app);
 Run define_list(CLI::App& app);
 Run define_merge(CLI::App& app);
-Run define_property(CLI::App& app);
 Run define_replay(CLI::App& app);
 Run define_report(CLI::App& app);
 Run define_show(CLI::App& app);
@@ -21,6 +20,7 @@ Run define_smoke(CLI::App& app);
 [[gnu::weak]] Run define_bench(CLI::App& app);
 [[gnu::weak]] Run define_digest(CLI::App& app);
 [[gnu::weak]] Run define_hunt(CLI::App& app);
+[[gnu::weak]] Run define_property(CLI::App& app);
 [[gnu::weak]] Run define_scene(CLI::App& app);
 [[gnu::weak]] Run define_stress(CLI::App& app);
 

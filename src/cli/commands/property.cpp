@@ -15,8 +15,8 @@
 #include "corpus/corpus.hpp"
 #include "hunting/property_hunt.hpp"
 #include "report/ci/ci_output.hpp"
+#include "report/measurements/property_hunt_text.hpp"
 #include "report/outputs.hpp"
-#include "report/property_hunt_text.hpp"
 
 namespace manifuzz {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/property_hunt_text.hpp"
+#include "report/measurements/property_hunt_text.hpp"
 
 #include <algorithm>
 
