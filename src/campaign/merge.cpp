@@ -84,6 +84,7 @@ std::string in_words(const Settings& settings) {
                                  settings.subject, settings.oracle, fmt::join(versions, ", "),
                                  in_words(settings.tie_bias), settings.judge_every);
   if (settings.radius) text += fmt::format(", radius {}", *settings.radius);
+  if (!settings.hunt.empty()) text += fmt::format(", {}", settings.hunt);
   return printable(text, 300);
 }
 
@@ -232,6 +233,7 @@ void add_run(CampaignResult& sum, const CampaignResult& run) {
   add_regimes(sum, run);
   add_ledger(sum, run);
   add_buckets(sum, run);
+  add_hunt(sum, run);
   sum.parts.insert(sum.parts.end(), run.parts.begin(), run.parts.end());
   join(sum.parts);
 }
@@ -248,7 +250,13 @@ std::vector<MergedFinding> merged_findings(const std::vector<CorpusCase>& cases)
 }
 
 MergedRuns merged_runs(const RunFiles& files) {
-  MergedRuns runs{merged_findings(files.corpus.all()), {}, files.corpus.errors};
+  const bool has_hunts = std::ranges::any_of(files.results, [](const ResultFile& result) {
+    return result.campaign && result.campaign->hunt;
+  });
+  std::vector<CorpusCase> cases = files.corpus.all();
+  MergedRuns runs{.errors = files.corpus.errors};
+  if (has_hunts) runs.worst = take_out_worst(cases);
+  runs.findings = merged_findings(cases);
   if (const Settings* const usual = usual_settings(files.results)) {
     runs.result.emplace();
     runs.result->settings = *usual;
@@ -282,7 +290,9 @@ void write_findings(MergedRuns& runs, const fs::path& folder, Interruption& inte
     if (finding.worst) write_file(worst_beside(file), text_of(*finding.worst));
     if (smallest.expect) files[finding_key(*smallest.expect)] = file.string();
   }
-  if (runs.result) name_files(*runs.result, files);
+  if (!runs.result) return;
+  name_files(*runs.result, files);
+  if (runs.result->hunt) write_worst(*runs.result->hunt, runs.worst, folder);
 }
 
 }  // namespace manifuzz

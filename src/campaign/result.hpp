@@ -16,6 +16,7 @@
 
 #include "base/json.hpp"
 #include "campaign/hints/hint.hpp"
+#include "campaign/hunts/hunt_result.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/risk/risk.hpp"
 #include "corpus/corpus.hpp"
@@ -79,6 +80,7 @@ struct Settings {
   std::optional<double> radius;  ///< of each polygon; none: the regime's own
   std::uint64_t judge_every = 1;
   std::vector<std::string> allowances{};  ///< what is not judged, or judged more mildly, and why
+  std::string hunt{};                     ///< what bred the cases, in words; empty: they are drawn
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -116,6 +118,7 @@ struct CampaignResult {
   /// The chance that an interval of the risk misses; none: what is needed was not counted.
   std::optional<double> risk_error{};
   std::string ended_by{};  ///< risk, cases, seconds or another, where the risk was to end it
+  std::optional<HuntResult> hunt{};
 
   std::uint64_t cases() const { return sum_of(regimes, &RegimeTally::cases); }
   std::uint64_t touching() const { return sum_of(regimes, &RegimeTally::touching); }
@@ -233,15 +236,16 @@ std::vector<MergedFinding> merged_findings(const std::vector<CorpusCase>& cases)
 
 /// What several runs left behind, as if one campaign had run all their cases.
 struct MergedRuns {
-  std::vector<MergedFinding> findings;
-  std::optional<CampaignResult> result;  ///< none without any
-  std::vector<std::string> errors;       ///< one line for each file that is left out
+  std::vector<MergedFinding> findings{};
+  std::vector<CorpusCase> worst{};  ///< cases that hunts keep, of which a sum names the worst
+  std::optional<CampaignResult> result{};  ///< none without any
+  std::vector<std::string> errors;         ///< one line for each file that is left out
 };
 
 /// Findings are merged as above. Results of `fuzz` are added up in their order: counts are sums, a
-/// bucket's first case is the least by index, regime and seed, its magnitude the greatest. Sums may
-/// be added up again. A result of other settings than most have, or with cases that are counted
-/// already, is left out.
+/// bucket's first case is the least by index, regime and seed, its magnitude the greatest, and a
+/// hunt's worst is the worst of all. Sums may be added up again. A result of other settings than
+/// most have, or with cases that are counted already, is left out.
 MergedRuns merged_runs(const RunFiles& files);
 
 /// Writes the findings to a folder as a campaign would have, and names their files in the result.

@@ -168,7 +168,8 @@ Settings read_settings(const JsonView& root) {
                     {},
                     {},
                     count_or(root, "judge_every", 1),
-                    {}};
+                    {},
+                    root.string_or("hunt", "")};
   const JsonView versions = root.at("versions");
   for (const std::string_view name : versions.keys()) {
     settings.versions.emplace_back(name, versions.at(name).string());
@@ -233,6 +234,10 @@ Json json_of(const CampaignResult& result) {
   json["hints"] = list_of(result.hints);
   if (result.parts.size() > 1) json["parts"] = list_of(result.parts);
   add_risk(result, json);
+  if (result.hunt) {
+    json["hunt"] = settings.hunt;
+    add_hunt(*result.hunt, json);
+  }
   return json;
 }
 
@@ -271,6 +276,7 @@ CampaignResult read_campaign_result(const JsonView& root) {
   result.hints = read_list(root.find("hints"), read_hint);
   expect_disjoint(root, result.parts);
   read_risk(root, result);
+  result.hunt = read_hunt(root);
   return result;
 }
 

@@ -73,8 +73,8 @@ std::uint32_t Archive::find_won_in_tuples(Tuples& tuples, std::uint64_t tuple,
   return new_cells;
 }
 
-EntryId Archive::put(const PairCase& pair, double value) {
-  const Entry entry{pair, value};
+EntryId Archive::put(const PairCase& pair, const Observation& observed, double value) {
+  const Entry entry{pair, observed, value};
   EntryId id = static_cast<EntryId>(entries_.size());
   if (free_.empty()) {
     entries_.push_back(entry);
@@ -108,6 +108,14 @@ void Archive::let_go(EntryId id) {
 
 void Archive::free_if_unused(EntryId id) {
   if (entries_[id].cells == 0 && entries_[id].holds == 0) free_.push_back(id);
+}
+
+std::vector<EntryId> Archive::all() const {
+  std::vector<EntryId> all;
+  for (EntryId id = 0; id < entries_.size(); ++id) {
+    if (entries_[id].cells > 0 || entries_[id].holds > 0) all.push_back(id);
+  }
+  return all;
 }
 
 std::vector<EntryId> Archive::newest(std::size_t most) const {

@@ -22,7 +22,9 @@ class Archive {
  public:
   struct Entry {
     PairCase pair;
+    Observation observed;
     double value = 0;
+    CaseNumber number = 0;    ///< whoever adds it sets this
     std::uint32_t cells = 0;  ///< that hold it
     std::uint32_t holds = 0;  ///< of others
     std::uint32_t uses = 0;   ///< as a parent
@@ -42,7 +44,7 @@ class Archive {
     std::vector<Cell*> won;
     Taken taken{find_won(observed, value, won)};
     if (won.empty()) return taken;
-    taken.entry = put(pair_of(), value);
+    taken.entry = put(pair_of(), observed, value);
     for (Cell* const cell : won) take(*cell, *taken.entry);
     return taken;
   }
@@ -72,11 +74,14 @@ class Archive {
   /// The cases that were added last, the oldest first, as far as they still hold a cell.
   std::vector<EntryId> newest(std::size_t most) const;
 
+  /// Every case that holds a cell or is held.
+  std::vector<EntryId> all() const;
+
   const Entry& operator[](EntryId id) const { return entries_[id]; }
   Entry& operator[](EntryId id) { return entries_[id]; }
 
   /// A case without a cell: to be held.
-  EntryId put(const PairCase& pair, double value);
+  EntryId put(const PairCase& pair, const Observation& observed, double value);
 
   /// Keeps a case that may lose its last cell, until it is let go.
   void hold(EntryId id) { ++entries_[id].holds; }

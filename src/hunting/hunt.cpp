@@ -1,9 +1,36 @@
 #include "hunting/hunt.hpp"
 
+#include <algorithm>
+
 #include "hunting/journal.hpp"
 
 namespace manifuzz {
 namespace {
+
+HuntRow row_of(const Hunt& hunt, std::string_view measure, const WorstFound& found) {
+  const Plan& plan = hunt.campaign.plan;
+  return {std::string(measure),        found.value, found.drawn, plan.seed,
+          plan.index_of(found.number), found.file};
+}
+
+/// The row of all bounds is that of the one of which an answer takes the greatest share.
+std::vector<HuntRow> rows_of(const Hunt& hunt) {
+  std::vector<HuntRow> rows;
+  std::vector<HuntRow> of_bounds;
+  for (const WorstFound& found : hunt.worst) {
+    const Measure measure = measure_of(found.gauge);
+    const bool is_of_bound = measure == Measure::bound_share;
+    if (is_of_bound) of_bounds.push_back(row_of(hunt, name_of(found.gauge, kGaugeNames), found));
+    if (!is_of_bound) rows.push_back(row_of(hunt, name_of(measure, kMeasureNames), found));
+  }
+  if (of_bounds.empty()) return rows;
+  HuntRow of_all = *std::ranges::max_element(of_bounds, {}, &HuntRow::worst);
+  of_all.measure = name_of(Measure::bound_share, kMeasureNames);
+  of_all.worst_drawn = std::ranges::max_element(of_bounds, {}, &HuntRow::worst_drawn)->worst_drawn;
+  rows.push_back(of_all);
+  rows.insert(rows.end(), of_bounds.begin(), of_bounds.end());
+  return rows;
+}
 
 class Hunting {
  public:
@@ -13,7 +40,8 @@ class Hunting {
         drawn_plan_(hunt.plan),
         plan_(hunt.plan),
         bred_(std::make_shared<HuntedPairs>(
-            Breed{hunt.plan.regimes, hunt.founders, aim_at(hunt.measure), hunt.on_hunted},
+            Breed{hunt.plan.regimes, hunt.founders, aim_at(hunt.measure), hunt.on_hunted,
+                  hunt.bequest, hunt.again},
             hunt.plan)) {
     plan_.regimes = {&kHunted};
     plan_.work = bred_;
@@ -45,7 +73,10 @@ class Hunting {
                 .generations = bred_->generations(),
                 .cells = bred_->cell_count(),
                 .cells_drawn = {},
-                .worst = {}};
+                .worst = {},
+                .what = hunt_.what,
+                .rounds = hunt_.rounds};
+    if (hunt_.rounds) result.archived = bred_->archived();
     for (std::size_t k = 0; k < kGauges; ++k) {
       const auto gauge = static_cast<Gauge>(k);
       if (hunt_.measure && measure_of(gauge) != *hunt_.measure) continue;
@@ -125,6 +156,15 @@ Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to, c
   Campaign campaign = run_campaign_by(run, hunting.plan(), known, save_to, origin, on_saving);
   journal.end();
   return hunting.finished(std::move(campaign));
+}
+
+CampaignResult result_of(const Hunt& hunt) {
+  CampaignResult result = hunt.campaign.result;
+  const Rounds rounds = hunt.rounds.value_or(Rounds{.rounds = 0, .shares = 0});
+  result.settings.hunt = hunt.what;
+  result.hunt = HuntResult{rounds.rounds,    rounds.shares, hunt.generations,  hunt.cells,
+                           hunt.cells_drawn, rows_of(hunt), hunt.buckets_drawn};
+  return result;
 }
 
 }  // namespace manifuzz

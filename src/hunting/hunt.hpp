@@ -13,7 +13,11 @@ struct HuntPlan {
   Plan plan;  ///< its regimes are those that cases are drawn from
   std::vector<PairCase> founders;
   std::optional<Measure> measure;
-  bool compares = true;  ///< runs as many drawn cases, too
+  bool compares = true;                 ///< runs as many drawn cases, too
+  std::string what{};                   ///< in words: hunts that may be added up say the same
+  std::optional<Rounds> rounds{};       ///< of which the plan is one share
+  std::vector<ArchivedCase> bequest{};  ///< of the rounds before, in the order of `best_of`
+  std::string again{};                  ///< options that run a share again
   /// Is told of each hunted case and of each drawn one once it is judged, in the job's process.
   OnJudged on_hunted{};
   OnJudged on_drawn{};
@@ -49,10 +53,17 @@ struct Hunt {
   std::optional<std::size_t> cells_drawn;
   std::vector<WorstFound> worst;             ///< of each gauge of the measure
   std::vector<std::string> buckets_drawn{};  ///< of somebody's mistakes that drawn cases alone met
+  std::string what{};                        ///< as the plan's
+  std::optional<Rounds> rounds{};
+  std::vector<ArchivedCase> archived{};  ///< of a share, in the order of their numbers
 };
 
 /// Runs the hunt until it is done or somebody asks to stop; saves as a campaign does.
 Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to, const Origin& origin,
               const OnHuntProgress& on_progress);
+
+/// The campaign's result, with what only hunts have: a row for each measure, and one for each
+/// bound.
+CampaignResult result_of(const Hunt& hunt);
 
 }  // namespace manifuzz

@@ -17,8 +17,6 @@ constexpr CaseNumber kShareOfCases = 64;
 
 /// Parents are the newest of so many.
 constexpr std::size_t kNewest = 2000;
-/// So many of each gauge's greatest are parents of the source `worst`.
-constexpr std::size_t kElite = 64;
 
 /// How much a generation weighs beside the next one.
 constexpr double kFading = 0.8;
@@ -42,9 +40,14 @@ HuntedPairs::HuntedPairs(Breed breed, const Plan& plan)
     : ObservedPairs(kLongestGeneration + breed.founders.size(), breed.aim, breed.on_judged),
       breed_(std::move(breed)),
       seed_(plan.seed),
-      context_(plan.context) {}
+      first_(plan.first),
+      context_(plan.context),
+      elite_(breed_.aim) {
+  for (const ArchivedCase& one : breed_.bequest) add_to(archive(), elite_, one, aim());
+}
 
 std::string HuntedPairs::options_again(const Plan& plan, CaseNumber number) const {
+  if (!breed_.again.empty()) return breed_.again;
   return fmt::format(" --seed {} --cases {}", plan.seed, number + 1);
 }
 
@@ -61,13 +64,14 @@ PairCase HuntedPairs::kept_or_born(CaseNumber number) const {
 
 PairCase HuntedPairs::drawn(CaseNumber number) const {
   const std::size_t regimes = breed_.regimes.size();
-  return generate(seed_, *breed_.regimes[number % regimes], number / regimes, context_);
+  const CaseNumber of_all = first_ + number;
+  return generate(seed_, *breed_.regimes[of_all % regimes], of_all / regimes, context_);
 }
 
 PairCase HuntedPairs::born(CaseNumber number) const {
   const Birth& birth = births_[number - cases().begin];
   if (birth.source == Source::drawn) return drawn(number);
-  Random random(seed_, kHunted.stream, number);
+  Random random(seed_, kHunted.stream, first_ + number);
   const PairCase& parent = archive()[birth.parent].pair;
   const PairCase& mate = archive()[birth.mate].pair;
   // The worst are climbed in small steps.
@@ -136,11 +140,8 @@ EntryId HuntedPairs::parent_from(Source source, Random& random,
       if (newest.empty()) break;
       return less_used(newest, random);
     case Source::worst: {
-      std::vector<EntryId> elite;
       const int gauge = random.integer(0, static_cast<int>(aim().gauges) - 1);
-      for (const auto& [value, entry] : elite_[static_cast<std::size_t>(gauge)]) {
-        elite.push_back(entry);
-      }
+      const std::vector<EntryId> elite = elite_.of(static_cast<std::size_t>(gauge));
       if (elite.empty()) break;
       return less_used(elite, random);
     }
@@ -154,7 +155,7 @@ HuntedPairs::Birth HuntedPairs::birth_of(CaseNumber number,
                                          const std::array<double, kSources>& shares,
                                          const std::vector<EntryId>& newest) {
   if (number < breed_.founders.size()) return {Source::founded};
-  Random random(seed_, "birth", number);
+  Random random(seed_, "birth", first_ + number);
   double place = random.unit();
   std::size_t source = 0;
   while (source + 1 < kSources && place >= shares[source]) place -= shares[source++];
@@ -170,7 +171,9 @@ HuntedPairs::Birth HuntedPairs::birth_of(CaseNumber number,
 
 SharedQueue::Block HuntedPairs::begin_generation(CaseNumber most) {
   const CaseNumber begun = cases().end;
-  CaseNumber length = std::clamp(begun / kShareOfCases, kShortestGeneration, kLongestGeneration);
+  const CaseNumber learnt_from = begun + (breed_.bequest.empty() ? 0 : first_);
+  CaseNumber length =
+      std::clamp(learnt_from / kShareOfCases, kShortestGeneration, kLongestGeneration);
   if (generations_ == 0) length += breed_.founders.size();
   const std::array<double, kSources> shares = shares_of_sources();
   const std::vector<EntryId> newest = archive().newest(kNewest);
@@ -180,24 +183,6 @@ SharedQueue::Block HuntedPairs::begin_generation(CaseNumber most) {
   ++generations_;
   begin_part({begun, begun + length});
   return cases();
-}
-
-bool HuntedPairs::is_elite(std::size_t gauge, const Observation& observed) const {
-  if (!aim().seeks(gauge)) return false;
-  const auto& elite = elite_[gauge];
-  const double value = observed.gauges[gauge];
-  const bool is_enough = elite.size() < kElite || value > std::prev(elite.end())->first;
-  return value > 0 && is_enough && !elite.contains(value);
-}
-
-void HuntedPairs::keep_elite(std::size_t gauge, const Observation& observed, EntryId entry) {
-  auto& elite = elite_[gauge];
-  elite.emplace(observed.gauges[gauge], entry);
-  archive().hold(entry);
-  if (elite.size() <= kElite) return;
-  const auto last = std::prev(elite.end());
-  archive().let_go(last->second);
-  elite.erase(last);
 }
 
 void HuntedPairs::keep_cases_of(const Tally& tally) {
@@ -217,12 +202,9 @@ void HuntedPairs::take_in(CaseNumber number, const Observation& observed,
   ++yield.cases;
   if (!taken) return;
   yield.cells += taken->new_cells;
-  std::optional<EntryId> entry = taken->entry;
-  for (std::size_t gauge = 0; gauge < aim().gauges; ++gauge) {
-    if (!is_elite(gauge, observed)) continue;
-    if (!entry) entry = archive().put(kept_or_born(number), aim().value(observed));
-    keep_elite(gauge, observed, *entry);
-  }
+  const auto entry =
+      elite_.add(observed, taken->entry, archive(), [&] { return kept_or_born(number); });
+  if (entry) archive()[*entry].number = first_ + number;
 }
 
 void HuntedPairs::end_generation(const Tally& tally) {

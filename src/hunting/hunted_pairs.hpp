@@ -2,9 +2,12 @@
 
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "hunting/elite.hpp"
 #include "hunting/observed_pairs.hpp"
+#include "hunting/rounds.hpp"
 
 namespace manifuzz {
 
@@ -16,15 +19,17 @@ inline constexpr Regime kHunted{kRegimeOfHunts, "cases that a hunt bred of other
 
 /// What a hunt begins with, and what it keeps.
 struct Breed {
-  std::vector<const Regime*> regimes;  ///< that cases are drawn from
-  std::vector<PairCase> founders;      ///< cases to begin with, besides drawn ones
-  Aim aim;                             ///< what is kept of them
-  OnJudged on_judged{};                ///< besides what is learnt here
+  std::vector<const Regime*> regimes;       ///< that cases are drawn from
+  std::vector<PairCase> founders;           ///< cases to begin with, besides drawn ones
+  Aim aim;                                  ///< what is kept of them
+  OnJudged on_judged{};                     ///< besides what is learnt here
+  std::span<const ArchivedCase> bequest{};  ///< of the rounds before, in order
+  std::string again{};  ///< options that run a case again; empty: those that end with it
 };
 
 /// The cases of a hunt, generation by generation. Each generation is bred from the archive as it
-/// stood when it began, each of its cases by the seed and its number alone: so any number of jobs
-/// finds the same.
+/// stood when it began, each of its cases by the seed and its number alone, counted from the plan's
+/// first: so any number of jobs finds the same.
 class HuntedPairs : public ObservedPairs {
  public:
   HuntedPairs(Breed breed, const Plan& plan);
@@ -40,6 +45,8 @@ class HuntedPairs : public ObservedPairs {
   void end_generation(const Tally& tally);
 
   std::size_t generations() const { return generations_; }
+  /// What the archive holds of these cases, without the bequest.
+  std::vector<ArchivedCase> archived() const { return kept_in(archive(), first_); }
 
  private:
   /// Where a case comes from.
@@ -66,8 +73,6 @@ class HuntedPairs : public ObservedPairs {
   std::array<double, kSources> shares_of_sources() const;
   PairCase born(CaseNumber number) const;
   PairCase drawn(CaseNumber number) const;
-  bool is_elite(std::size_t gauge, const Observation& observed) const;
-  void keep_elite(std::size_t gauge, const Observation& observed, EntryId entry);
   void keep_cases_of(const Tally& tally);
   PairCase kept_or_born(CaseNumber number) const;
   PairCase to_keep(CaseNumber number) const override { return kept_or_born(number); }
@@ -76,10 +81,10 @@ class HuntedPairs : public ObservedPairs {
 
   Breed breed_;
   std::uint64_t seed_;
+  CaseNumber first_;  ///< chance goes by a case's number from there on
   GenerationContext context_;
   std::array<Yield, kSources> yields_{};
-  /// The cases of the greatest values of each gauge, which the archive holds.
-  std::array<std::multimap<double, EntryId, std::greater<>>, kGaugesMost> elite_;
+  Elite elite_;
   std::map<CaseNumber, PairCase> kept_;
   std::size_t generations_ = 0;
   std::vector<Birth> births_;  ///< of the generation at work

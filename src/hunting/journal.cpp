@@ -20,7 +20,7 @@ void Journal::add(const Tally& tally) {
   for (const auto& [bucket, met] : tally.buckets.all()) {
     if (bucket.fault == Fault::none || !known_.insert(index_of(bucket)).second) continue;
     append_found_case_line(lines, plan_.work->draw(plan_, met->first),
-                           {plan_.seed, std::string(kHunted.name), met->first, {}});
+                           {plan_.seed, std::string(kHunted.name), plan_.index_of(met->first), {}});
     lines += '\n';
   }
   if (lines.empty()) return;

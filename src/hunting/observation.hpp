@@ -41,6 +41,8 @@ struct Observation {
 
   double operator[](Gauge gauge) const { return gauges[static_cast<std::size_t>(gauge)]; }
   double& operator[](Gauge gauge) { return gauges[static_cast<std::size_t>(gauge)]; }
+
+  friend bool operator==(const Observation&, const Observation&) = default;
 };
 
 /// What the truth alone says of a case, for a collider of that declaration.

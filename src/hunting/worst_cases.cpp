@@ -34,7 +34,7 @@ void keep(WorstFound& found, const Plan& plan, const std::filesystem::path& corp
     saved.found =
         Found{.seed = plan.seed,
               .regime = std::string(kHunted.name),
-              .index = found.number,
+              .index = plan.index_of(found.number),
               .versions = {{plan.subject.declaration.name, plan.subject.declaration.version}}};
     saved.note = note_of_worst(found.gauge, found.value);
     std::filesystem::create_directories(file.parent_path());

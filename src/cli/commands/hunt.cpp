@@ -17,6 +17,7 @@
 #include "cli/kinds.hpp"
 #include "cli/options.hpp"
 #include "engines/provenance.hpp"
+#include "hunting/archive_files.hpp"
 #include "hunting/worst_cases.hpp"
 #include "report/campaign_text.hpp"
 #include "report/measurements/hunt_report.hpp"
@@ -32,7 +33,21 @@ struct HuntArguments : CampaignOptions {
   std::vector<std::string> from;
   std::string measure;
   bool is_alone = false;
+  std::string share;
+  std::optional<std::uint64_t> rounds;
+  std::optional<std::uint64_t> round;
+  std::string archives;
 };
+
+/// A hunt of one machine has none.
+std::optional<Rounds> rounds_of(const HuntArguments& options) {
+  if (options.share.empty()) return std::nullopt;
+  return Rounds{*options.cases, *options.rounds, share_of(options.share).of};
+}
+
+RoundShare round_share_of(const HuntArguments& options) {
+  return {*options.round, share_of(options.share).number};
+}
 
 std::optional<Measure> measure_named(const std::string& name) {
   const auto found = std::ranges::find(kMeasureNames, name);
@@ -67,7 +82,59 @@ HuntPlan hunt_plan_of(const HuntArguments& options) {
   hunt.compares = !options.is_alone;
   hunt.founders = founders_in(options.from);
   std::erase_if(hunt.founders, [&](const PairCase& pair) { return !is_taken(plan.context, pair); });
+  hunt.what = hunt.measure ? fmt::format("a hunt for {}", options.measure) : "a hunt";
+  hunt.rounds = rounds_of(options);
   return hunt;
+}
+
+/// All that the cases of a hunt depend on, as far as the command's words do not say it.
+std::string hunt_in_words(const HuntPlan& hunt, const HuntArguments& options) {
+  const Plan& plan = hunt.plan;
+  std::string bred_from;  // of known cases the sums, for files may change
+  for (const std::span<const PairCase> known : {std::span(hunt.founders), plan.context.corpus}) {
+    std::string lines;
+    for (const PairCase& pair : known) append_case_line(lines, pair);
+    bred_from += fmt::format(" {:016x}", hash_of(lines));
+  }
+  std::string words = fmt::format(
+      "{} of {}, seed {}, in {} of {}", hunt.what, counted(*plan.cases, "case"), plan.seed,
+      counted(hunt.rounds->rounds, "round"), counted(hunt.rounds->shares, "share"));
+  for (const Declaration& asked : asked_by(plan))
+    words += fmt::format(", {} {}", asked.name, asked.version);
+  for (const std::string& regime : options.regimes) words += fmt::format(", {}", regime);
+  return words + bias_and_radius_again(options) + ", cases" + bred_from;
+}
+
+/// Every `of`-th case from that of the share's number on.
+std::vector<PairCase> dealt(const std::vector<PairCase>& cases, const Share& share) {
+  std::vector<PairCase> mine;
+  for (std::size_t i = share.number; i < cases.size(); i += share.of) mine.push_back(cases[i]);
+  return mine;
+}
+
+/// Leaves the plan its share of a round, and gives it what the round before left.
+ArchiveFolder deal(HuntPlan& hunt, const HuntArguments& options) {
+  const RoundShare share = round_share_of(options);
+  if (share.round >= hunt.rounds->rounds) {
+    throw UserError(
+        fmt::format("--round: {} is no round of {}; a whole number from 0 to {} is expected",
+                    share.round, hunt.rounds->rounds, hunt.rounds->rounds - 1));
+  }
+  expect_cases_for_all(*hunt.rounds);
+  hunt.what = hunt_in_words(hunt, options);
+  hunt.compares = false;
+  hunt.again = fmt::format(" --seed {} --cases {} --share {} --rounds {} --round {} --archives {}",
+                           hunt.plan.seed, hunt.rounds->cases, options.share, hunt.rounds->rounds,
+                           share.round, quoted_for_shell(options.archives));
+  narrow_to(*hunt.rounds, share, hunt.plan);
+  ArchiveFolder folder{options.archives, hunt.what, *hunt.rounds, hunt.measure};
+  if (share.round > 0) {
+    hunt.founders.clear();
+    hunt.bequest = read_rounds_before(folder, share.round);
+  } else {
+    hunt.founders = dealt(hunt.founders, share_of(options.share));
+  }
+  return folder;
 }
 
 /// The beginning of a command that repeats a hunt up to a case.
@@ -86,11 +153,17 @@ CommandFiles files_of_hunt(const HuntArguments& options) {
       {options.folders.saved(), {"--json", options.json}, {"--report", options.report}},
       options.folders.all()};
   for (const std::string& path : options.from) files.inputs.emplace_back(path);
+  if (!options.share.empty()) {
+    const ArchiveFolder folder{options.archives, {}, {}, {}};
+    files.outputs.push_back({"--archives", archive_file(folder, round_share_of(options)).string(),
+                             OutputPath::Kind::file});
+  }
   return files;
 }
 
 int hunt(HuntArguments& options) {
   options.folders.make_relative();
+  if (!options.archives.empty()) options.archives = kept_path(options.archives).string();
   check_outputs(files_of_hunt(options));
   const Corpus corpus = read_corpus_folder(options.folders.corpus());
   const Corpus all = read_whole(options.folders);
@@ -98,6 +171,8 @@ int hunt(HuntArguments& options) {
   plan.plan.seed = seed_or_draw(options.seed);
   const std::vector<PairCase> pairs = pairs_of(corpus, plan.plan.seed);
   plan.plan.context.corpus = pairs;
+  std::optional<ArchiveFolder> archives;
+  if (plan.rounds) archives = deal(plan, options);
   const Known known = known_of(all.of(CaseKind::pair), options.today);
   const SaveTo saved = save_to_of(options);
   const Origin origin{repeating_hunt(options), provenance(plan.plan.seed, asked_by(plan.plan))};
@@ -120,7 +195,35 @@ int hunt(HuntArguments& options) {
   });
   outputs.add_error(unwritten_in_words(hunted.campaign.saving));
   if (!outputs.are_written()) return 2;
+  if (archives && !hunted.campaign.result.interrupted) {
+    write_archive(*archives, round_share_of(options), hunted.archived);
+  }
+  // Whoever deals shares takes 1 for done.
+  if (archives && hunted.campaign.result.interrupted) return 0;
   return has_failed(hunted.campaign.result) ? 1 : 0;
+}
+
+void add_rounds(CLI::App& app, HuntArguments& options) {
+  constexpr std::uint64_t most = 1'000'000;
+  CLI::Option* const share =
+      add_text(app, "--share", options.share, "K/N",
+               "run the share K of N, K from 0 to N - 1, of a round of the hunt that --seed and "
+               "--cases give; nothing is drawn to compare with")
+          ->needs("--seed")
+          ->needs("--cases");
+  const std::vector<CLI::Option*> others{
+      add_whole_number(app, "--rounds", options.rounds,
+                       "number of rounds of a hunt that is dealt to machines", 1, most),
+      add_whole_number(app, "--round", options.round,
+                       "which round, from 0 on; it begins with what all shares of the one before "
+                       "have found"),
+      add_text(app, "--archives", options.archives, "DIR",
+               "folder of the archives that the shares of each round write, and those of the next "
+               "one read")};
+  for (CLI::Option* const other : others) {
+    share->needs(other);
+    other->needs(share);
+  }
 }
 
 void add_hunt_arguments(CLI::App& app, HuntArguments& options) {
@@ -139,6 +242,7 @@ void add_hunt_arguments(CLI::App& app, HuntArguments& options) {
       ->check(CLI::IsMember(std::vector<std::string>(kMeasureNames.begin(), kMeasureNames.end())));
   app.add_flag("--no-compare", options.is_alone,
                "do not run as many drawn cases beside it, to compare with");
+  add_rounds(app, options);
   add_shrinking(app, options);
   add_jobs(app, options.jobs);
   add_pairs_and_folders(app, options);

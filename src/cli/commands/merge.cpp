@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/corpus.hpp"
+#include "hunting/archive_files.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {
@@ -20,6 +21,7 @@ struct MergeArguments {
   std::vector<std::string> paths;
   std::string output = "merged";
   std::string json;
+  std::string archives;
 };
 
 void expect_something(const MergeArguments& options, const MergedRuns& runs) {
@@ -30,6 +32,17 @@ void expect_something(const MergeArguments& options, const MergedRuns& runs) {
   if (!options.json.empty() && !runs.result) {
     throw UserError("--json: there is no result to write; name files written by fuzz --json");
   }
+  if (!options.archives.empty() &&
+      (!runs.result || !runs.result->hunt || runs.result->hunt->rounds == 0)) {
+    throw UserError(
+        "--archives: there is no result of a hunt in rounds; name files written by hunt --json");
+  }
+}
+
+/// Each share's own cells are in its result; how many they are together is in the archives.
+void count_cells(CampaignResult& sum, const std::string& archives) {
+  const Rounds rounds{sum.cases(), sum.hunt->rounds, sum.hunt->shares};
+  sum.hunt->cells = cells_of_all({archives, sum.settings.hunt, rounds, {}});
 }
 
 /// All of it or nothing.
@@ -51,6 +64,7 @@ int merge(const MergeArguments& options) {
   MergedRuns runs = merged_runs(files);
   write_complaints(runs.errors);
   expect_something(options, runs);
+  if (!options.archives.empty()) count_cells(*runs.result, options.archives);
   write_merged(options, runs);
   write_to_reader(options.json == "-"
                       ? json_text(json_of(*runs.result))
@@ -62,11 +76,14 @@ int merge(const MergeArguments& options) {
 }
 
 void add_merge_arguments(CLI::App& app, MergeArguments& options) {
-  add_text(app, "paths", options.paths, "DIR", "folders of cases, and files written by fuzz --json")
+  add_text(app, "paths", options.paths, "DIR",
+           "folders of cases, and files written by fuzz --json or hunt --json")
       ->required();
   add_text(app, "--output", options.output, "DIR", "new or empty folder for the merged cases")
       ->capture_default_str();
   add_json(app, options.json, "the merged summary");
+  add_text(app, "--archives", options.archives, "DIR",
+           "folder of the archives of a hunt in rounds, of which the cells are counted");
 }
 
 }  // namespace

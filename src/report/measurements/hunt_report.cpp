@@ -11,8 +11,6 @@
 namespace manifuzz {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string in_words(Gauge gauge) {
   switch (gauge) {
     case Gauge::error:
@@ -34,38 +32,6 @@ std::string row_of(const WorstFound& found) {
       found.drawn ? *found.drawn > 0 ? fmt::format("{:.3g}", *found.drawn) : "none" : "";
   return fmt::format("{:<40}{:>12}{:>12}\n", in_words(found.gauge),
                      found.value > 0 ? fmt::format("{:.3g}", found.value) : "none", drawn);
-}
-
-Json row_json(std::string_view measure, const WorstFound& found) {
-  Json row{
-      {"measure", measure}, {"worst", found.value}, {"worst_drawn", nullptr}, {"file", found.file}};
-  if (found.drawn) row["worst_drawn"] = *found.drawn;
-  return row;
-}
-
-/// A row for each measure, and one for each bound.
-Json rows_json(const Hunt& hunt) {
-  Json rows = Json::array();
-  const WorstFound* share = nullptr;
-  for (const WorstFound& found : hunt.worst) {
-    if (measure_of(found.gauge) == Measure::bound_share) {
-      if (share == nullptr || found.value > share->value) share = &found;
-    } else {
-      rows.push_back(row_json(name_of(measure_of(found.gauge), kMeasureNames), found));
-    }
-  }
-  if (share == nullptr) return rows;
-  WorstFound of_all = *share;
-  for (const WorstFound& found : hunt.worst) {
-    if (measure_of(found.gauge) != Measure::bound_share || !found.drawn) continue;
-    of_all.drawn = std::max(of_all.drawn.value_or(0), *found.drawn);
-  }
-  rows.push_back(row_json(name_of(Measure::bound_share, kMeasureNames), of_all));
-  for (const WorstFound& found : hunt.worst) {
-    if (measure_of(found.gauge) != Measure::bound_share) continue;
-    rows.push_back(row_json(name_of(found.gauge, kGaugeNames), found));
-  }
-  return rows;
 }
 
 }  // namespace
@@ -115,22 +81,7 @@ std::string hunt_table(const Hunt& hunt) {
 }
 
 nlohmann::ordered_json json_of(const Hunt& hunt) {
-  const Json of_campaign = json_of(hunt.campaign.result);
-  Json json;
-  for (const char* const key : {"machine", "compiler", "seed", "versions", "subject", "oracle",
-                                "cases", "seconds", "cases_per_second", "jobs", "interrupted"}) {
-    if (of_campaign.contains(key)) json[key] = of_campaign.at(key);
-  }
-  json["generations"] = hunt.generations;
-  json["cells"] = hunt.cells;
-  json["cells_drawn"] = hunt.cells_drawn ? Json(*hunt.cells_drawn) : Json();
-  json["rows"] = rows_json(hunt);
-  for (const char* const key : {"verdicts", "unexplained", "accepted", "stale", "unshrunk"}) {
-    if (of_campaign.contains(key)) json[key] = of_campaign.at(key);
-  }
-  json["buckets"] = of_campaign.at("buckets");
-  json["buckets_drawn"] = hunt.buckets_drawn;
-  return json;
+  return json_of(result_of(hunt));
 }
 
 }  // namespace manifuzz

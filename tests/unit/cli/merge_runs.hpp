@@ -36,7 +36,7 @@ inline Json count(const TemporaryFolder& folder, const std::string& name, int fi
 
 /// Merges these to OUTPUT/, and to OUTPUT.json where there are results among them.
 inline Outcome merge(const TemporaryFolder& folder, const std::vector<std::string>& names,
-                     const std::string& output) {
+                     const std::string& output, const std::vector<std::string>& more = {}) {
   const std::string all = (folder.path() / output).string();
   std::vector<std::string> arguments{"merge", "--output", all};
   for (const std::string& name : names) arguments.push_back((folder.path() / name).string());
@@ -44,7 +44,7 @@ inline Outcome merge(const TemporaryFolder& folder, const std::vector<std::strin
     arguments.emplace_back("--json");
     arguments.push_back(all + ".json");
   }
-  return run_manifuzz(arguments);
+  return run_manifuzz(with(arguments, more));
 }
 
 }  // namespace manifuzz::test

@@ -11,12 +11,14 @@
 #include "support/installed_collider.hpp"
 #include "support/source_tree.hpp"
 #include "support/temporary_folder.hpp"
+#include "unit/hunting/small_hunts.hpp"
 
 using namespace manifuzz;
 using namespace manifuzz::test;
 
 namespace {
 
+<<<<<<< HEAD
 HuntPlan plan_of(const Collider& subject, const Collider& oracle, std::uint64_t cases, int jobs) {
   HuntPlan hunt;
   Plan& plan = hunt.plan;
@@ -34,6 +36,28 @@ Hunt run(const HuntPlan& plan, const SaveTo& save_to = {}) {
   const Origin nowhere{"manifuzz hunt",
                        {{"machine", ""}, {"compiler", ""}, {"versions", Json::object()}}};
   return run_hunt(plan, {}, save_to, nowhere, [](const HuntProgress&) {});
+=======
+std::size_t index_of_bug(std::string_view name) {
+  std::size_t i = 0;
+  while (rare_bugs()[i].name != name) ++i;
+  return i;
+}
+
+/// The clip, its depths doubled and more where the bug is met.
+Collider with_rare_bug(std::string_view name) {
+  Collider collider = make_clip();
+  collider.declaration.name = "planted";
+  const std::size_t bug = index_of_bug(name);
+  collider.collide = [bug, clip = make_clip()](const PairCase& pair) {
+    Answer answer = clip.collide(pair);
+    if ((rare_bugs_met_by(exact::Truth(pair)) >> bug & 1) == 0) return answer;
+    if (auto* const manifold = std::get_if<Manifold<double>>(&answer)) {
+      for (ContactPoint<double>& point : manifold->points) point.depth += size(pair) / 4;
+    }
+    return answer;
+  };
+  return collider;
+>>>>>>> 2361817a (Hunts may be dealt to machines in rounds: shares that begin with all archives before, and their sum)
 }
 
 }  // namespace
