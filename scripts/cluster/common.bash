@@ -1,8 +1,9 @@
 # What the scripts of this folder have in common; they source it. shellcheck shell=bash
 # A campaign is told by three variables:
 #   MANIFUZZ_SHARES    how many shares its cases are dealt to
-#   MANIFUZZ_COMMAND   what runs all of them, as `manifuzz fuzz --seed 1 --cases 1000000`; words with
-#                      blanks stand in quotes, and nothing in it is expanded
+#   MANIFUZZ_COMMAND   what runs all of them, as `manifuzz fuzz --seed 1 --cases 1000000`, or
+#                      `manifuzz hunt --seed 1 --cases 1000000 --rounds 4`; words with blanks stand in
+#                      quotes, and nothing in it is expanded
 #   MANIFUZZ_RESULTS   the folder of the results, which every machine sees under this name
 
 # By the names that whoever calls uses: other machines may not have what links lead to here.
@@ -21,10 +22,11 @@ print_help() {
 }
 
 # Options that each task is given; several tasks must not write to one file.
-readonly of_tasks=(--share --json --found --report --junit)
+readonly of_tasks=(--share --round --archives --json --found --report --junit)
 
-# Checks the three variables; sets shares, results (absolute), program and options (what stands
-# before and behind the word fuzz).
+# Checks the three variables; sets shares, results and archives (absolute), program, kind (fuzz or
+# hunt), rounds, options (what stands behind the kind, without --rounds) and tasks, the number of all:
+# the tasks of a round are its shares, and those of the next one follow them.
 read_campaign() {
   local name
   [[ ${MANIFUZZ_SHARES:-} =~ ^[1-9][0-9]{0,8}$ ]] ||
@@ -40,6 +42,25 @@ read_campaign() {
     ! has_option "$name" ||
       complain "MANIFUZZ_COMMAND has '$name', which each task is given; leave it out"
   done
+  archives=$results/archives
+  rounds=1
+  [ "$kind" != hunt ] || take_rounds
+  tasks=$((shares * rounds))
+}
+
+# Takes --rounds out of a hunt's options.
+take_rounds() {
+  local i kept=()
+  for ((i = 0; i < ${#options[@]}; ++i)); do
+    case ${options[i]} in
+      --rounds) i=$((i + 1)) && rounds=${options[i]:-} ;;
+      --rounds=*) rounds=${options[i]#*=} ;;
+      *) kept+=("${options[i]}") ;;
+    esac
+  done
+  [[ $rounds =~ ^[1-9][0-9]{0,5}$ ]] ||
+    complain "MANIFUZZ_COMMAND: --rounds is '$rounds'; a whole number from 1 to 999999 is expected"
+  options=("${kept[@]}")
 }
 
 has_option() {
@@ -59,10 +80,11 @@ read_command() {
   mapfile -d '' -t words < <(xargs -n 1 printf '%s\0' <<<"$MANIFUZZ_COMMAND" 2>/dev/null)
   wait "$!" || complain "MANIFUZZ_COMMAND has a quote without its end: $MANIFUZZ_COMMAND"
   for ((i = 0; i < ${#words[@]}; ++i)); do
-    [ "${words[i]}" != fuzz ] || break
+    [[ ${words[i]} != fuzz && ${words[i]} != hunt ]] || break
   done
   ((i > 0 && i < ${#words[@]})) ||
     complain "MANIFUZZ_COMMAND is '$MANIFUZZ_COMMAND'; 'manifuzz fuzz', or such, and options are expected"
+  kind=${words[i]}
   program=("${words[@]:0:i}")
   options=("${words[@]:i+1}")
 }
@@ -102,10 +124,44 @@ campaign_in_words() {
   printf '%s shares of %s\n' "$shares" "$MANIFUZZ_COMMAND"
 }
 
-# The shares that have no result, a line each.
-missing_shares() {
-  { [ ! -d "$results" ] || (cd -- "$results" && shopt -s nullglob && printf '%s\n' share-*); } |
-    awk -v shares="$shares" '
+# The archive that a task of a hunt writes.
+archive_of() {
+  echo "$archives/round-$(($1 / shares))-share-$(($1 % shares)).archive"
+}
+
+# Whether a task has a result, and its archive where it has one.
+is_done() {
+  [ -d "$results/share-$1" ] && { [ "$kind" != hunt ] || [ -e "$(archive_of "$1")" ]; }
+}
+
+# The first round that is not done, or nothing.
+open_round() {
+  local round
+  for ((round = 0; round < rounds; ++round)); do
+    if [ -n "$(missing_tasks "$round")" ]; then
+      echo "$round"
+      break
+    fi
+  done
+}
+
+# missing_tasks ROUND|all: the tasks that are not done, of that round or of all, a line each.
+missing_tasks() {
+  local begin=0 end=$tasks
+  if [ "$1" != all ]; then
+    begin=$(($1 * shares))
+    end=$((begin + shares))
+  fi
+  {
+    [ ! -d "$results" ] || (cd -- "$results" && shopt -s nullglob && printf '%s\n' share-*)
+    [ ! -d "$archives" ] || (cd -- "$archives" && shopt -s nullglob && printf '%s\n' round-*)
+  } |
+    awk -v begin="$begin" -v end="$end" -v shares="$shares" -v kind="$kind" '
       { there[$0] }
-      END { for (i = 0; i < shares; ++i) if (!("share-" i in there)) print i }'
+      END {
+        for (i = begin; i < end; ++i) {
+          archive = "round-" int(i / shares) "-share-" i % shares ".archive"
+          if (!("share-" i in there) || (kind == "hunt" && !(archive in there))) print i
+        }
+      }'
 }

@@ -59,8 +59,41 @@ begin_campaign() {
   export PATH=$folder/bin:$PATH MANIFUZZ_SHARES=$2 MANIFUZZ_RESULTS="results here" MANIFUZZ_COMMAND="manifuzz $campaign"
 }
 
+# begin_hunt: in the campaign's place a hunt of two rounds of three shares. What one machine makes of
+# it, one share behind the other, is in the folder in-order.
+begin_hunt() {
+  local index
+  # shellcheck disable=SC2016
+  stand_in 'exec "$manifuzz" "$@"'
+  export MANIFUZZ_SHARES=3 MANIFUZZ_RESULTS=$folder/hunt
+  export MANIFUZZ_COMMAND="manifuzz hunt --subject box2d --seed 1 --cases 1800 --radius 0 --shrink-seconds 1 --rounds 2"
+  [ ! -d in-order ] || return 0
+  for index in 0 1 2 3 4 5; do expect_done "$cluster/task" "$index"; done
+  expect_done "$cluster/finish"
+  mv "$MANIFUZZ_RESULTS" in-order
+}
+
+# expect_done COMMAND...: what ends so has found something.
+expect_done() {
+  local status=0
+  "$@" >/dev/null 2>said || status=$?
+  [ "$status" = 1 ] || fail "status $status, not 1, of $*: $(<said)"
+}
+
+# The sum and all archives are those of one machine.
+expect_whole_hunt() {
+  diff -r in-order/archives "$MANIFUZZ_RESULTS/archives" >&3 || fail "the archives are not one machine's"
+  diff <(counted in-order/merged.json) <(counted "$MANIFUZZ_RESULTS/merged.json") || fail "the sum is not one machine's"
+  diff -r in-order/merged/worst "$MANIFUZZ_RESULTS/merged/worst" >&3 || fail "the worst cases are not one machine's"
+  [ "$(jq '[.cases, .rounds, .shares, (.rows | length), (.buckets | length > 3), .cells > 10000]' "$MANIFUZZ_RESULTS/merged.json" | tr -d ' \n')" = \
+    "[1800,2,3,6,true,true]" ] || fail "the sum lacks what hunts have"
+  jq --raw-output '(.rows[] | select(.worst > 0) | .file), (.buckets[] | select(.new) | .file)' "$MANIFUZZ_RESULTS/merged.json" >files
+  while read -r file; do [ -s "$file" ] || fail "$file is not there"; done <files
+  grep -q '</html>' "$MANIFUZZ_RESULTS/report.html" || fail "the page is not whole"
+}
+
 # stand_in SCRIPT: what is called as manifuzz from now on. It knows `share`, the number of its own,
-# empty in other commands, and `manifuzz`.
+# empty in other commands, `round`, of a hunt, and `manifuzz`.
 stand_in() {
   cat >bin/stand-in <<END
 #!/usr/bin/env bash
@@ -68,8 +101,12 @@ set -euo pipefail
 manifuzz=$manifuzz
 folder=$folder
 share=
+round=
 for ((i = 1; i < \$#; ++i)); do
-  [ "\${!i}" != --share ] || { i=\$((i + 1)); share=\${!i%/*}; }
+  case \${!i} in
+    --share) i=\$((i + 1)); share=\${!i%/*} ;;
+    --round) i=\$((i + 1)); round=\${!i} ;;
+  esac
 done
 $1
 END
