@@ -14,7 +14,7 @@ namespace {
 
 /// What a child that checks a property leaves behind.
 struct OutcomeSlot {
-  Outcome::Kind kind = Outcome::Kind::holds;
+  PropertyOutcome::Kind kind = PropertyOutcome::Kind::holds;
   SharedText<512> why;
   double magnitude = 0;
 };
@@ -46,11 +46,11 @@ Collider until(const std::function<bool()>& is_over, const Collider& collider) {
   return hurried;
 }
 
-Outcome check_in_child(const Property& property, const Collider& collider, const PairCase& pair,
-                       Interruption& interruption) {
+PropertyOutcome check_in_child(const Property& property, const Collider& collider,
+                               const PairCase& pair, Interruption& interruption) {
   const Shared<OutcomeSlot> slot;
   const auto body = [&] {
-    const Outcome outcome = check(property, collider, pair);
+    const PropertyOutcome outcome = check(property, collider, pair);
     slot->kind = outcome.kind;
     slot->magnitude = outcome.magnitude;
     slot->why.set(outcome.why);
@@ -61,13 +61,13 @@ Outcome check_in_child(const Property& property, const Collider& collider, const
   return {.kind = slot->kind, .why = slot->why.str(), .magnitude = slot->magnitude};
 }
 
-bool fails_alike(const Outcome& outcome, const Outcome& root) {
-  return outcome.kind == Outcome::Kind::fails && outcome.why == root.why &&
+bool fails_alike(const PropertyOutcome& outcome, const PropertyOutcome& root) {
+  return outcome.kind == PropertyOutcome::Kind::fails && outcome.why == root.why &&
          is_about(outcome.magnitude, root.magnitude);
 }
 
 PairCase shrink_failure(const Property& property, const Collider& collider, const PairCase& pair,
-                        const Outcome& root, Interruption& interruption) {
+                        const PropertyOutcome& root, Interruption& interruption) {
   const auto is_alike = [&](const PairCase& candidate, Interruption& shrinking) {
     const Collider hurried = until([&] { return shrinking.is_stopped(); }, collider);
     return fails_alike(check(property, hurried, candidate), root);

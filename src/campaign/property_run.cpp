@@ -34,11 +34,12 @@ void showValue(const Drawn& drawn, std::ostream& out) {
   out << line;
 }
 
-using CheckCase = std::function<Outcome(const PairCase&)>;
+using CheckCase = std::function<PropertyOutcome(const PairCase&)>;
 
 /// Simpler cases that fail in the root's way and no less: left alone, RapidCheck takes any failure,
 /// and slides a gross one to just above the tolerance.
-rc::Seq<Drawn> simpler(const Drawn& drawn, const CheckCase& check_case, const Outcome& root) {
+rc::Seq<Drawn> simpler(const Drawn& drawn, const CheckCase& check_case,
+                       const PropertyOutcome& root) {
   const auto alike = [check_case, root](const PairCase& pair) {
     return fails_alike(check_case(pair), root);
   };
@@ -56,7 +57,7 @@ rc::Gen<Drawn> any_case(const CheckCase& check_case, const std::vector<const Reg
     const std::uint64_t seed = stream.next();
     const Regime& regime = *from[stream.next() % from.size()];
     const Drawn root{std::string(regime.name), generate(seed, regime, 0, context)};
-    const auto outcome = std::make_shared<std::optional<Outcome>>();
+    const auto outcome = std::make_shared<std::optional<PropertyOutcome>>();
     const auto shrinks = [check_case, outcome](const Drawn& drawn) {
       if (!*outcome) *outcome = check_case(drawn.pair);
       return simpler(drawn, check_case, **outcome);
@@ -137,15 +138,15 @@ void run_rapidcheck(const Property& property, const Collider& subject, const Pro
     using CaseEnd = rc::detail::CaseResult;
     if (is_over()) throw CaseEnd(CaseEnd::Type::Discard, "time is up");
     const Drawn drawn = *any_case(check_case, from, context).as("case");
-    const Outcome outcome = check_case(drawn.pair);
+    const PropertyOutcome outcome = check_case(drawn.pair);
     RC_TAG(drawn.regime, std::string(name_of(outcome.kind, kOutcomeNames)));
     const Standing where = standing(exact::Truth(drawn.pair));
     RC_CLASSIFY(where.touching, std::string("touching"));
     if (!slot.has_failing && !is_over()) {
       ++slot.cases;
-      slot.applied += static_cast<int>(outcome.kind != Outcome::Kind::not_applicable);
+      slot.applied += static_cast<int>(outcome.kind != PropertyOutcome::Kind::not_applicable);
     }
-    if (outcome.kind != Outcome::Kind::fails) return;
+    if (outcome.kind != PropertyOutcome::Kind::fails) return;
     slot.why.set(outcome.why);  // whatever it is shrunk to fails alike
     slot.magnitude = outcome.magnitude;
     slot.failing = drawn.pair;

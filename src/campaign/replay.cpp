@@ -41,8 +41,8 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject, co
     return {false, fmt::format("a property named {}", recorded.property), "there is none"};
   }
   const std::string sentence(property->sentence);
-  const Outcome outcome = check_in_child(*property, subject, recorded.pair(), interruption);
-  const bool fails = outcome.kind == Outcome::Kind::fails;
+  const PropertyOutcome outcome = check_in_child(*property, subject, recorded.pair(), interruption);
+  const bool fails = outcome.kind == PropertyOutcome::Kind::fails;
   if (!fails && !takes(subject, recorded.pair())) {
     return {.expected = sentence, .got = "", .is_unsupported = true};
   }

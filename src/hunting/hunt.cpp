@@ -9,6 +9,7 @@ namespace {
 
 HuntRow row_of(const Hunt& hunt, std::string_view measure, const WorstFound& found) {
   const Plan& plan = hunt.campaign.plan;
+  if (!found.pair) return {std::string(measure), 0, found.drawn};
   return {std::string(measure),        found.value, found.drawn, plan.seed,
           plan.index_of(found.number), found.file};
 }
@@ -41,7 +42,7 @@ class Hunting {
         plan_(hunt.plan),
         bred_(std::make_shared<HuntedPairs>(
             Breed{hunt.plan.regimes, hunt.founders, aim_at(hunt.measure), hunt.on_hunted,
-                  hunt.bequest, hunt.again},
+                  hunt.earlier, hunt.again},
             hunt.plan)) {
     plan_.regimes = {&kHunted};
     plan_.work = bred_;

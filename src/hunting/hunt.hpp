@@ -16,7 +16,7 @@ struct HuntPlan {
   bool compares = true;                 ///< runs as many drawn cases, too
   std::string what{};                   ///< in words: hunts that may be added up say the same
   std::optional<Rounds> rounds{};       ///< of which the plan is one share
-  std::vector<ArchivedCase> bequest{};  ///< of the rounds before, in the order of `best_of`
+  std::vector<ArchivedCase> earlier{};  ///< of the rounds before, in the order of `best_of`
   std::string again{};                  ///< options that run a share again
   /// Is told of each hunted case and of each drawn one once it is judged, in the job's process.
   OnJudged on_hunted{};

@@ -43,7 +43,7 @@ HuntedPairs::HuntedPairs(Breed breed, const Plan& plan)
       first_(plan.first),
       context_(plan.context),
       elite_(breed_.aim) {
-  for (const ArchivedCase& one : breed_.bequest) add_to(archive(), elite_, one, aim());
+  for (const ArchivedCase& one : breed_.earlier) add_to(archive(), elite_, one, aim());
 }
 
 std::string HuntedPairs::options_again(const Plan& plan, CaseNumber number) const {
@@ -171,7 +171,7 @@ HuntedPairs::Birth HuntedPairs::birth_of(CaseNumber number,
 
 SharedQueue::Block HuntedPairs::begin_generation(CaseNumber most) {
   const CaseNumber begun = cases().end;
-  const CaseNumber learnt_from = begun + (breed_.bequest.empty() ? 0 : first_);
+  const CaseNumber learnt_from = begun + (breed_.earlier.empty() ? 0 : first_);
   CaseNumber length =
       std::clamp(learnt_from / kShareOfCases, kShortestGeneration, kLongestGeneration);
   if (generations_ == 0) length += breed_.founders.size();

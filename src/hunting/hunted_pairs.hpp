@@ -23,7 +23,7 @@ struct Breed {
   std::vector<PairCase> founders;           ///< cases to begin with, besides drawn ones
   Aim aim;                                  ///< what is kept of them
   OnJudged on_judged{};                     ///< besides what is learnt here
-  std::span<const ArchivedCase> bequest{};  ///< of the rounds before, in order
+  std::span<const ArchivedCase> earlier{};  ///< of the rounds before, in order
   std::string again{};  ///< options that run a case again; empty: those that end with it
 };
 
@@ -45,7 +45,7 @@ class HuntedPairs : public ObservedPairs {
   void end_generation(const Tally& tally);
 
   std::size_t generations() const { return generations_; }
-  /// What the archive holds of these cases, without the bequest.
+  /// What the archive holds of these cases, without earlier ones.
   std::vector<ArchivedCase> archived() const { return kept_in(archive(), first_); }
 
  private:

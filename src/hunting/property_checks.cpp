@@ -8,7 +8,7 @@
 namespace manifuzz {
 namespace {
 
-using OutcomeKind = Outcome::Kind;
+using OutcomeKind = PropertyOutcome::Kind;
 
 /// What a collider that died or hung is off by, as a property has it that is told of that.
 constexpr double kMagnitudeOfLost = 1;
@@ -21,7 +21,7 @@ Aim aim_at_properties(std::size_t count) {
 
 }  // namespace
 
-double measure_of(const Outcome& outcome) {
+double measure_of(const PropertyOutcome& outcome) {
   if (outcome.kind == OutcomeKind::holds) return outcome.of_bound;
   return outcome.kind == OutcomeKind::fails ? 1 + outcome.magnitude : 0;
 }
@@ -43,7 +43,7 @@ void PropertyChecks::run_case(const Plan& plan, const Collider& subject, Campaig
   checked = {.is_begun = true};
   job.begin(Step::asking_subject);
   for (std::size_t k = 0; k < hunted_.size(); ++k) {
-    const Outcome outcome = check(*hunted_[k].property, subject, pair);
+    const PropertyOutcome outcome = check(*hunted_[k].property, subject, pair);
     observed.gauges[k] = measure_of(outcome);
     checked.checks[k] = {outcome.kind, observed.gauges[k]};
     ++checked.done;

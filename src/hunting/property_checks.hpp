@@ -24,7 +24,7 @@ struct HuntedProperty {
 };
 
 /// The measure of an outcome; 0 where it has none.
-double measure_of(const Outcome& outcome);
+double measure_of(const PropertyOutcome& outcome);
 
 /// The cases of a hunt, of which properties are asked: a gauge for each, by its place in the list.
 class PropertyChecks : public HuntedPairs {
@@ -42,7 +42,7 @@ class PropertyChecks : public HuntedPairs {
 
  private:
   struct OneCheck {
-    Outcome::Kind kind = Outcome::Kind::not_applicable;
+    PropertyOutcome::Kind kind = PropertyOutcome::Kind::not_applicable;
     double measure = 0;
   };
   /// How far the job came that was at a case; plain data, for shared memory.

@@ -27,10 +27,10 @@ Plan campaign_of(const PropertyHuntPlan& hunt) {
 /// The smallest case that fails as the worst did, and what becomes of it.
 struct SmallestFailure {
   PairCase pair;
-  Outcome outcome;
+  PropertyOutcome outcome;
 };
 
-bool is_lost(const Outcome& outcome) {
+bool is_lost(const PropertyOutcome& outcome) {
   return outcome.why == lost_by(Ending::crashed).why ||
          outcome.why == lost_by(Ending::timed_out).why;
 }
@@ -40,15 +40,15 @@ SmallestFailure smallest_failure(const HuntedProperty& hunted, const Collider& s
   const Property& property = *hunted.property;
   SmallestFailure smallest{*hunted.failing, fails("not asked again", hunted.worst - 1)};
   unless_interrupted([&] {
-    const Outcome root = check_in_child(property, subject, smallest.pair, interruption);
-    if (root.kind != Outcome::Kind::fails) {
+    const PropertyOutcome root = check_in_child(property, subject, smallest.pair, interruption);
+    if (root.kind != PropertyOutcome::Kind::fails) {
       smallest.outcome.why = "it failed once, and holds when it is asked again";
       return;
     }
     smallest.outcome = root;
     if (is_lost(root) || interruption.state() != Interruption::State::running) return;
     const PairCase pair = shrink_failure(property, subject, smallest.pair, root, interruption);
-    const Outcome outcome = check_in_child(property, subject, pair, interruption);
+    const PropertyOutcome outcome = check_in_child(property, subject, pair, interruption);
     if (fails_alike(outcome, root)) smallest = {pair, outcome};
   });
   return smallest;

@@ -36,17 +36,17 @@ std::span<const Property> properties() {
   return kProperties;
 }
 
-Outcome check(const Property& property, const Collider& collider, const PairCase& pair) {
+PropertyOutcome check(const Property& property, const Collider& collider, const PairCase& pair) {
   if (is_ill_posed(size(pair), bounds(pair, collider.declaration))) return not_applicable();
   AskedCollider ask(collider);
-  Outcome outcome = property.holds(ask, pair);
+  PropertyOutcome outcome = property.holds(ask, pair);
   if (ask.lost()) return fails("no answer: " + ask.lost()->why, 1);
   // A figure that is no number is beyond all that are.
   if (!std::isfinite(outcome.magnitude)) outcome.magnitude = std::numeric_limits<double>::max();
-  if (outcome.kind == Outcome::Kind::fails &&
+  if (outcome.kind == PropertyOutcome::Kind::fails &&
       std::any_of(ask.asked().begin(), ask.asked().end(),
                   [&](const PairCase& asked) { return is_explained(collider, asked); })) {
-    outcome.kind = Outcome::Kind::known;
+    outcome.kind = PropertyOutcome::Kind::known;
   }
   return outcome;
 }
@@ -83,8 +83,9 @@ ManifoldError tolerance(const Admissible& right) {
   return within;
 }
 
-Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
-                      const Manifold<double>& got, const ManifoldError& within, Features features) {
+PropertyOutcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
+                              const Manifold<double>& got, const ManifoldError& within,
+                              Features features) {
   const double unit = size(pair);
   if (expected.count != got.count) return fails("another number of points", 1);
   if (expected.count == 0) return holds();
@@ -141,8 +142,8 @@ Manifold<double> swapped_back(const PairCase& pair, Manifold<double> manifold) {
 
 /// Asks for both, and compares what `back` makes of the second with the first.
 template <class Back>
-Outcome compare_moved(AskedCollider& ask, const PairCase& pair, const PairCase& moved,
-                      Features features, Back back) {
+PropertyOutcome compare_moved(AskedCollider& ask, const PairCase& pair, const PairCase& moved,
+                              Features features, Back back) {
   if (is_round(pair)) return same_round_contact(ask, pair, moved, back);
   const auto right = decided(pair, ask.declaration());
   const auto right_moved = decided(moved, ask.declaration());
@@ -187,25 +188,25 @@ bool has_fixed_length(const Declaration& declaration) {
 
 }  // namespace
 
-Outcome swapping_mirrors(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome swapping_mirrors(AskedCollider& ask, const PairCase& pair) {
   return compare_moved(ask, pair, {pair.b, pair.a}, Features::compared,
                        [&](const Manifold<double>& m) { return swapped_back(pair, m); });
 }
 
-Outcome renumbering_changes_features_only(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome renumbering_changes_features_only(AskedCollider& ask, const PairCase& pair) {
   PairCase other_numbers = pair;
   renumber(other_numbers.a.polygon);
   renumber(other_numbers.b.polygon);
   return compare_moved(ask, pair, other_numbers, Features::ignored, std::identity());
 }
 
-Outcome quarter_turns_move(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome quarter_turns_move(AskedCollider& ask, const PairCase& pair) {
   PairCase turned = pair;
   turn_by_quarter(turned);
   return compare_moved(ask, pair, turned, Features::compared, std::identity());
 }
 
-Outcome translations_move(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome translations_move(AskedCollider& ask, const PairCase& pair) {
   PairCase moved = pair;
   for (const float by : {4096.0F, 64.0F, 1.0F, 0.015625F}) {
     const auto a = translated(pair.a.pose.position, by);
@@ -218,7 +219,7 @@ Outcome translations_move(AskedCollider& ask, const PairCase& pair) {
   return not_applicable();
 }
 
-Outcome powers_of_two_scale(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome powers_of_two_scale(AskedCollider& ask, const PairCase& pair) {
   const TieBias& bias = ask.declaration().tie_bias;
   if (!is_in_mid_range(pair.a) || !is_in_mid_range(pair.b)) return not_applicable();
   if (bias.absolute != 0 && !ask.collider().with_tie_bias) return not_applicable();

@@ -14,7 +14,7 @@
 namespace manifuzz {
 
 /// What became of a property on one case.
-struct Outcome {
+struct PropertyOutcome {
   enum class Kind {
     holds,
     not_applicable,  ///< a tie, no contact, or the collider does not offer what it takes
@@ -35,14 +35,14 @@ class AskedCollider;
 struct Property {
   std::string_view name;
   std::string_view sentence;
-  Outcome (*holds)(AskedCollider& ask, const PairCase& pair);
+  PropertyOutcome (*holds)(AskedCollider& ask, const PairCase& pair);
 };
 
 /// Every property, as listed below.
 std::span<const Property> properties();
 
 /// The property on one case of one collider, through the ledger.
-Outcome check(const Property& property, const Collider& collider, const PairCase& pair);
+PropertyOutcome check(const Property& property, const Collider& collider, const PairCase& pair);
 
 // What properties are written with: asking a collider, outcomes, and holding two manifolds against
 // each other.
@@ -75,18 +75,18 @@ class AskedCollider {
   std::vector<PairCase> asked_;
 };
 
-inline Outcome holds(double of_bound = 0) {
+inline PropertyOutcome holds(double of_bound = 0) {
   return {.why = {}, .of_bound = of_bound};
 }
 /// How much of its bound a difference takes, between 0 and 1.
 inline double taken_of(double bound, double off) {
   return bound > 0 && off > 0 ? std::min(off / bound, 1.0) : 0;
 }
-inline Outcome not_applicable() {
-  return {.kind = Outcome::Kind::not_applicable, .why = {}};
+inline PropertyOutcome not_applicable() {
+  return {.kind = PropertyOutcome::Kind::not_applicable, .why = {}};
 }
-inline Outcome fails(std::string why, double magnitude) {
-  return {.kind = Outcome::Kind::fails, .why = std::move(why), .magnitude = magnitude};
+inline PropertyOutcome fails(std::string why, double magnitude) {
+  return {.kind = PropertyOutcome::Kind::fails, .why = std::move(why), .magnitude = magnitude};
 }
 
 /// What is right for this collider, if nothing that decides it is within bound: one reference face
@@ -100,8 +100,9 @@ ManifoldError tolerance(const Admissible& right);
 enum class Features { compared, ignored };
 
 /// Holds where both manifolds, given in one frame, are the same within the tolerance.
-Outcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
-                      const Manifold<double>& got, const ManifoldError& within, Features features);
+PropertyOutcome same_manifold(const PairCase& pair, const Manifold<double>& expected,
+                              const Manifold<double>& got, const ManifoldError& within,
+                              Features features);
 
 /// The one list of properties: a function, defined in properties.cpp, properties_manifold.cpp or
 /// properties_round.cpp, a name, and a sentence that is true of every right collider.
@@ -141,7 +142,7 @@ inline constexpr std::size_t kPropertyCount = 0 MANIFUZZ_PROPERTIES(MANIFUZZ_COU
 #undef MANIFUZZ_COUNT
 
 #define MANIFUZZ_DECLARE(function, name, sentence) \
-  Outcome function(AskedCollider& ask, const PairCase& pair);
+  PropertyOutcome function(AskedCollider& ask, const PairCase& pair);
 MANIFUZZ_PROPERTIES(MANIFUZZ_DECLARE)
 #undef MANIFUZZ_DECLARE
 

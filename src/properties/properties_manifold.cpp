@@ -63,7 +63,7 @@ Point placed(const PairCase& pair, const Vector2<double>& local) {
 
 /// Whether a point lies between a face's side planes, which stand the total radius outside its
 /// ends, and no farther in front of it than the total radius.
-Outcome behind_face(const PairCase& pair, FaceOf face, const Point& at, double bound) {
+PropertyOutcome behind_face(const PairCase& pair, FaceOf face, const Point& at, double bound) {
   const Point from_corner = at - exact::vertex<DoubleDouble>(pair, face.side, face.index);
   const Point direction = exact::direction<DoubleDouble>(pair, face);
   const double along = leading(dot(unit(direction), from_corner));
@@ -75,8 +75,8 @@ Outcome behind_face(const PairCase& pair, FaceOf face, const Point& at, double b
   return holds(taken_of(bound, std::max(outside, front)));
 }
 
-Outcome point_in_place(const PairCase& pair, const Manifold<double>& manifold,
-                       const ContactPoint<double>& point, double bound) {
+PropertyOutcome point_in_place(const PairCase& pair, const Manifold<double>& manifold,
+                               const ContactPoint<double>& point, double bound) {
   const Side reference = manifold.reference;
   const Side incident = other(reference);
   const Feature of_reference = reference == Side::a ? point.features.a : point.features.b;
@@ -92,7 +92,7 @@ Outcome point_in_place(const PairCase& pair, const Manifold<double>& manifold,
   if (of_incident.kind == Feature::Kind::vertex) {
     const double off = length(at - vertex(incident, of_incident.index));
     if (!(off <= bound)) return fails("a point off its vertex", off / unit_length);
-    Outcome outcome = behind_face(pair, {reference, of_reference.index}, at, bound);
+    PropertyOutcome outcome = behind_face(pair, {reference, of_reference.index}, at, bound);
     outcome.of_bound = std::max(outcome.of_bound, taken_of(bound, off));
     return outcome;
   }
@@ -159,7 +159,7 @@ DoubleDouble true_overlap(const PairCase& pair, const exact::Truth& truth) {
 
 }  // namespace
 
-Outcome points_lie_where_they_say(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome points_lie_where_they_say(AskedCollider& ask, const PairCase& pair) {
   if (is_round(pair)) return not_applicable();  // those are in no slab, and on surfaces
   if (ask.declaration().claims != Claims::manifold) return not_applicable();  // nor need one be
   const auto manifold = ask.manifold(pair);
@@ -171,8 +171,8 @@ Outcome points_lie_where_they_say(AskedCollider& ask, const PairCase& pair) {
   for (int i = 0; i < manifold->count; ++i) {
     const auto& point = manifold->points[i];
     if (!(point.depth >= 0)) return fails("a point in front of the reference face", -point.depth);
-    const Outcome outcome = point_in_place(pair, *manifold, point, bound);
-    if (outcome.kind != Outcome::Kind::holds) return outcome;
+    const PropertyOutcome outcome = point_in_place(pair, *manifold, point, bound);
+    if (outcome.kind != PropertyOutcome::Kind::holds) return outcome;
     of_bound = std::max(of_bound, outcome.of_bound);
   }
   const double forward = along_reference(pair, *manifold);
@@ -200,7 +200,7 @@ std::optional<Unbiased> ask_without_bias(const Collider& collider, const PairCas
   return Unbiased{unbiased.declaration, right, *manifold};
 }
 
-Outcome depth_is_the_overlap(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome depth_is_the_overlap(AskedCollider& ask, const PairCase& pair) {
   if (is_round(pair)) return round_depth_is_least(ask, pair);
   const auto unbiased = ask_without_bias(ask.collider(), pair);
   if (!unbiased) return not_applicable();
@@ -211,7 +211,7 @@ Outcome depth_is_the_overlap(AskedCollider& ask, const PairCase& pair) {
   return fails("a largest depth that is not the overlap", off / size(pair));
 }
 
-Outcome depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
   if (is_round(pair)) return round_depth_moves_apart(ask, pair);
   const auto unbiased = ask_without_bias(ask.collider(), pair);
   if (!unbiased || unbiased->manifold.count == 0) return not_applicable();
@@ -240,7 +240,7 @@ Outcome depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
   return holds(of_bound);
 }
 
-Outcome float_and_double_agree(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome float_and_double_agree(AskedCollider& ask, const PairCase& pair) {
   if (!ask.collider().in_double) return not_applicable();
   const auto manifold = ask.manifold(pair);
   if (!manifold) return not_applicable();
@@ -249,7 +249,7 @@ Outcome float_and_double_agree(AskedCollider& ask, const PairCase& pair) {
   return fails(to_string(judgement.bucket), judgement.magnitude);
 }
 
-Outcome overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
   if (is_round(pair)) return round_overlap_is_never_empty(ask, pair);
   const Admissible right = admissible(pair, ask.declaration());
   if (!right.must_touch) return not_applicable();
@@ -259,7 +259,7 @@ Outcome overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
   return fails("no contact for an overlap", leading(true_overlap(pair, *right.truth)) / size(pair));
 }
 
-Outcome manifold_is_admissible(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome manifold_is_admissible(AskedCollider& ask, const PairCase& pair) {
   if (is_judged_by_curve(ask.declaration(), pair)) return manifold_is_right_by_curve(ask, pair);
   const auto manifold = ask.manifold(pair);
   if (!manifold) return not_applicable();
@@ -273,7 +273,7 @@ Outcome manifold_is_admissible(AskedCollider& ask, const PairCase& pair) {
                found.magnitude / size(pair));
 }
 
-Outcome given_normal_agrees(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome given_normal_agrees(AskedCollider& ask, const PairCase& pair) {
   if (!ask.collider().from_normal) return not_applicable();
   const auto right = decided(pair, ask.declaration());
   if (!right || !farthest_vertices_decided(pair, *right)) return not_applicable();

@@ -29,8 +29,8 @@ double contradiction(const RoundAnswer& inner, const RoundAnswer& outer, double 
 }
 
 /// What holds where one is within the other, `rounding` apart: a contradiction of at most 0.
-Outcome holds_within(const RoundAnswer& inner, const RoundAnswer& outer, double rounding,
-                     double off) {
+PropertyOutcome holds_within(const RoundAnswer& inner, const RoundAnswer& outer, double rounding,
+                             double off) {
   return holds(taken_within(inner.half_width() + outer.half_width() + rounding, off));
 }
 
@@ -110,8 +110,8 @@ std::optional<Around> polygon_around(const ConvexPolygon<float>& circle, double 
 
 /// The pair with a circle replaced by a polygon that reaches so far from its center; the answer to
 /// it held against the circle's: `inner_of` the polygon is within the circle, or around it.
-Outcome polygon_beside_circle(AskedCollider& ask, const PairCase& pair, Side side,
-                              const RoundAnswer& of_circle, double reach, bool is_inside) {
+PropertyOutcome polygon_beside_circle(AskedCollider& ask, const PairCase& pair, Side side,
+                                      const RoundAnswer& of_circle, double reach, bool is_inside) {
   const ConvexPolygon<float>& circle = pair[side].polygon;
   const auto around = polygon_around(circle, reach);
   if (!around) return not_applicable();
@@ -143,7 +143,7 @@ std::optional<Side> side_with(const PairCase& pair, int vertices) {
 
 }  // namespace
 
-Outcome circles_may_turn(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome circles_may_turn(AskedCollider& ask, const PairCase& pair) {
   const auto side = side_with(pair, 1);
   if (!side) return not_applicable();
   // A quarter turn and one of 3, 4 and 5, about the center: the position takes what that moves.
@@ -177,7 +177,7 @@ Outcome circles_may_turn(AskedCollider& ask, const PairCase& pair) {
   return holds(of_bound);
 }
 
-Outcome capsules_are_hulls_of_circles(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome capsules_are_hulls_of_circles(AskedCollider& ask, const PairCase& pair) {
   const auto side = side_with(pair, 2);
   if (!side || !(pair[*side].polygon.radius > 0)) return not_applicable();
   const RoundAnswer of_capsule(ask, pair);
@@ -195,8 +195,8 @@ Outcome capsules_are_hulls_of_circles(AskedCollider& ask, const PairCase& pair) 
   for (int end = 0; end < 2; ++end) {
     PairCase smaller = pair;
     smaller[*side].polygon = circle_at(capsule.vertices[end], capsule.radius);
-    const Outcome outcome = hold_against(smaller, INFINITY);
-    if (outcome.kind != Outcome::Kind::holds) return outcome;
+    const PropertyOutcome outcome = hold_against(smaller, INFINITY);
+    if (outcome.kind != PropertyOutcome::Kind::holds) return outcome;
     of_bound = std::max(of_bound, outcome.of_bound);
   }
   // Where cores are apart, the nearest circle is as deep; a circle is rounded to floats.
@@ -204,21 +204,23 @@ Outcome capsules_are_hulls_of_circles(AskedCollider& ask, const PairCase& pair) 
   const PairCase smaller = with_nearest_circle(pair, *side);
   const Vector2<double> center = smaller[*side].polygon.vertices[0].cast<double>();
   const double rounding = 2 * roundoff(ScalarType::float32) * center.norm() * scale_of(pair[*side]);
-  Outcome outcome = hold_against(smaller, are_apart ? rounding : INFINITY);
+  PropertyOutcome outcome = hold_against(smaller, are_apart ? rounding : INFINITY);
   outcome.of_bound = std::max(of_bound, outcome.of_bound);
   return outcome;
 }
 
-Outcome circles_are_limits_of_polygons(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome circles_are_limits_of_polygons(AskedCollider& ask, const PairCase& pair) {
   const auto side = side_with(pair, 1);
   if (!side || !ask.declaration().takes_round) return not_applicable();
   const RoundAnswer of_circle(ask, pair);
   if (!of_circle.is_given()) return not_applicable();
   const double radius = static_cast<double>(pair[*side].polygon.radius);
   const double share = std::cos(std::numbers::pi / kCorners);
-  const Outcome inscribed = polygon_beside_circle(ask, pair, *side, of_circle, radius, true);
-  if (inscribed.kind != Outcome::Kind::holds) return inscribed;
-  Outcome around = polygon_beside_circle(ask, pair, *side, of_circle, radius / share, false);
+  const PropertyOutcome inscribed =
+      polygon_beside_circle(ask, pair, *side, of_circle, radius, true);
+  if (inscribed.kind != PropertyOutcome::Kind::holds) return inscribed;
+  PropertyOutcome around =
+      polygon_beside_circle(ask, pair, *side, of_circle, radius / share, false);
   around.of_bound = std::max(around.of_bound, inscribed.of_bound);
   return around;
 }

@@ -27,8 +27,9 @@ bool has_circle(const PairCase& pair) {
   return pair.a.polygon.count == 1 || pair.b.polygon.count == 1;
 }
 
-Outcome same_normal_and_place(const PairCase& pair, const RoundAnswer& here,
-                              const RoundAnswer& there, const Manifold<double>& moved_back) {
+PropertyOutcome same_normal_and_place(const PairCase& pair, const RoundAnswer& here,
+                                      const RoundAnswer& there,
+                                      const Manifold<double>& moved_back) {
   const double turn = (here.manifold().normal - moved_back.normal).norm();
   const double within = here.normal_bound() + there.normal_bound();
   if (!(turn <= within)) return fails("another normal", turn);
@@ -85,8 +86,9 @@ void RoundAnswer::read_depth(const Declaration& declaration) {
   most_ = depth + off + slack;
 }
 
-Outcome same_round_contact(AskedCollider& ask, const PairCase& pair, const PairCase& moved,
-                           const std::function<Manifold<double>(const Manifold<double>&)>& back) {
+PropertyOutcome same_round_contact(
+    AskedCollider& ask, const PairCase& pair, const PairCase& moved,
+    const std::function<Manifold<double>(const Manifold<double>&)>& back) {
   const RoundAnswer here(ask, pair);
   const RoundAnswer there(ask, moved);
   if (!here.is_given() || !there.is_given()) return not_applicable();
@@ -94,12 +96,12 @@ Outcome same_round_contact(AskedCollider& ask, const PairCase& pair, const PairC
   if (!(apart <= 0)) return fails("another depth", apart / size(pair));
   const double of_depth = taken_within(here.half_width() + there.half_width(), apart);
   if (!here.tells_normal() || !there.tells_normal()) return holds(of_depth);
-  Outcome outcome = same_normal_and_place(pair, here, there, back(there.manifold()));
+  PropertyOutcome outcome = same_normal_and_place(pair, here, there, back(there.manifold()));
   outcome.of_bound = std::max(outcome.of_bound, of_depth);
   return outcome;
 }
 
-Outcome round_depth_is_least(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome round_depth_is_least(AskedCollider& ask, const PairCase& pair) {
   const RoundAnswer answer(ask, pair);
   if (!answer.touches()) return not_applicable();
   const double least = answer.curve().least();
@@ -108,7 +110,7 @@ Outcome round_depth_is_least(AskedCollider& ask, const PairCase& pair) {
   return fails("a largest depth that is not the least overlap", off / size(pair));
 }
 
-Outcome round_depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome round_depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
   const RoundAnswer answer(ask, pair);
   if (!answer.touches()) return not_applicable();
   // By how much D at the normal may exceed D*.
@@ -140,7 +142,7 @@ Outcome round_depth_moves_apart(AskedCollider& ask, const PairCase& pair) {
   return holds(of_bound);
 }
 
-Outcome round_overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome round_overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
   const RoundAnswer answer(ask, pair);
   if (!answer.is_given()) return not_applicable();
   const double least = answer.curve().least();
@@ -148,7 +150,7 @@ Outcome round_overlap_is_never_empty(AskedCollider& ask, const PairCase& pair) {
   return fails("no contact for an overlap", least / size(pair));
 }
 
-Outcome manifold_is_right_by_curve(AskedCollider& ask, const PairCase& pair) {
+PropertyOutcome manifold_is_right_by_curve(AskedCollider& ask, const PairCase& pair) {
   const auto manifold = ask.manifold(pair);
   if (!manifold) return not_applicable();
   const ColliderAnswer answer{ask.declaration(), *manifold};

@@ -61,14 +61,15 @@ double taken_within(double width, double beyond);
 
 /// Whether a pair and that pair moved get one contact: depths, and where they are told normals and
 /// the place of a circle's contact. `back` takes an answer of the moved pair to the pair's frame.
-Outcome same_round_contact(AskedCollider& ask, const PairCase& pair, const PairCase& moved,
-                           const std::function<Manifold<double>(const Manifold<double>&)>& back);
+PropertyOutcome same_round_contact(
+    AskedCollider& ask, const PairCase& pair, const PairCase& moved,
+    const std::function<Manifold<double>(const Manifold<double>&)>& back);
 
 // What properties.hpp says of any pair, for round pairs.
-Outcome round_depth_is_least(AskedCollider& ask, const PairCase& pair);
-Outcome round_depth_moves_apart(AskedCollider& ask, const PairCase& pair);
-Outcome round_overlap_is_never_empty(AskedCollider& ask, const PairCase& pair);
+PropertyOutcome round_depth_is_least(AskedCollider& ask, const PairCase& pair);
+PropertyOutcome round_depth_moves_apart(AskedCollider& ask, const PairCase& pair);
+PropertyOutcome round_overlap_is_never_empty(AskedCollider& ask, const PairCase& pair);
 /// Also of polygons, where the collider is judged by the curve.
-Outcome manifold_is_right_by_curve(AskedCollider& ask, const PairCase& pair);
+PropertyOutcome manifold_is_right_by_curve(AskedCollider& ask, const PairCase& pair);
 
 }  // namespace manifuzz

@@ -20,7 +20,7 @@ std::string sentence(const Property& property) {
 }
 
 bool fails(const Property& property, const Collider& collider, const PairCase& pair) {
-  return check(property, collider, pair).kind == Outcome::Kind::fails;
+  return check(property, collider, pair).kind == PropertyOutcome::Kind::fails;
 }
 
 /// The three that may notice, by name.

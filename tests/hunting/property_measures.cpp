@@ -37,9 +37,9 @@ std::vector<HuntedProperty> draw(const PropertyHuntPlan& plan) {
     const PairCase pair =
         generate(plan.seed, *from[number % from.size()], number / from.size(), context);
     for (HuntedProperty& one : met) {
-      const Outcome outcome = check(*one.property, plan.subject, pair);
+      const PropertyOutcome outcome = check(*one.property, plan.subject, pair);
       one.worst = std::max(one.worst, measure_of(outcome));
-      if (outcome.kind == Outcome::Kind::fails && !one.first) one.first = number;
+      if (outcome.kind == PropertyOutcome::Kind::fails && !one.first) one.first = number;
     }
   }
   return met;

@@ -101,7 +101,7 @@ TEST_CASE("a failing property is shrunk, says why, and repeats from its string")
   REQUIRE_FALSE(result.passed);
   REQUIRE(result.failing.has_value());
   CHECK(result.failing->a.polygon.count + result.failing->b.polygon.count <= 7);
-  CHECK(check(*property, broken, *result.failing).kind == Outcome::Kind::fails);
+  CHECK(check(*property, broken, *result.failing).kind == PropertyOutcome::Kind::fails);
   const PropertyResult again = run_property(*property, broken, {8, 1, {}, result.reproduce});
   REQUIRE(again.failing.has_value());
   CHECK(*again.failing == *result.failing);
@@ -123,7 +123,8 @@ TEST_CASE("what the ledger explains of round shapes fails no property") {
           .string());
   REQUIRE(is_round(witness.pair()));
   const Property* const property = find_by_name(properties(), "admissible");
-  CHECK(check(*property, find_collider("box2d"), witness.pair()).kind == Outcome::Kind::known);
+  CHECK(check(*property, find_collider("box2d"), witness.pair()).kind ==
+        PropertyOutcome::Kind::known);
 }
 
 TEST_CASE("scaling is asked of colliders without a length of their own alone") {
@@ -137,7 +138,7 @@ TEST_CASE("scaling is asked of colliders without a length of their own alone") {
     declare(collider.declaration);
     return check(*property, collider, pair).kind;
   };
-  using Kind = Outcome::Kind;
+  using Kind = PropertyOutcome::Kind;
   CHECK(kind_of([](Declaration&) {}) == Kind::fails);
   CHECK(kind_of([](Declaration& d) { d.tolerance.relative = 0.01; }) == Kind::fails);
   CHECK(kind_of([](Declaration& d) { d.tie_bias.relative = 0.01; }) == Kind::fails);
@@ -159,8 +160,9 @@ TEST_CASE("a depth that is no number fails by a finite magnitude") {
   const Vector2<float> box[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   PairCase pair{{make_polygon<float>(box), {}}, {make_polygon<float>(triangle), {}}};
   pair.b.pose.position = {0.75F, 0.125F};
-  const Outcome outcome = check(*find_by_name(properties(), "swapping-mirrors"), broken, pair);
-  CHECK(outcome.kind == Outcome::Kind::fails);
+  const PropertyOutcome outcome =
+      check(*find_by_name(properties(), "swapping-mirrors"), broken, pair);
+  CHECK(outcome.kind == PropertyOutcome::Kind::fails);
   CHECK(std::isfinite(outcome.magnitude));
 }
 
@@ -187,7 +189,7 @@ TEST_CASE("a collider that does not clip is not where it says") {
   };
   const Property* const property = find_by_name(properties(), "points-in-place");
   REQUIRE(property != nullptr);
-  CHECK(check(*property, find_collider("clip"), pair).kind == Outcome::Kind::holds);
+  CHECK(check(*property, find_collider("clip"), pair).kind == PropertyOutcome::Kind::holds);
   CHECK(check(*property, unclipped, pair).why == "a point outside the slab");
 }
 

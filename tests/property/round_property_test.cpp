@@ -118,23 +118,24 @@ constexpr Planted kPlanted[] = {
 
 [[maybe_unused]] const bool planted_registered = [] {
   for (const Planted& planted : kPlanted) {
-    test::add_test(fmt::format("the property {} notices that {}", planted.property, planted.bug),
-                   "[property]", [&planted] {
-                     const Property* const property = find_by_name(properties(), planted.property);
-                     REQUIRE(property != nullptr);
-                     const Collider broken = with_bug(planted.change);
-                     const auto result = run_property(*property, broken, {5, 3000, {}, {}});
-                     REQUIRE_FALSE(result.passed);
-                     REQUIRE(result.failing.has_value());
-                     CHECK(is_round(*result.failing));
-                     const Collider clip = find_collider("clip");
-                     CHECK(check(*property, clip, *result.failing).kind != Outcome::Kind::fails);
-                   });
+    test::add_test(
+        fmt::format("the property {} notices that {}", planted.property, planted.bug), "[property]",
+        [&planted] {
+          const Property* const property = find_by_name(properties(), planted.property);
+          REQUIRE(property != nullptr);
+          const Collider broken = with_bug(planted.change);
+          const auto result = run_property(*property, broken, {5, 3000, {}, {}});
+          REQUIRE_FALSE(result.passed);
+          REQUIRE(result.failing.has_value());
+          CHECK(is_round(*result.failing));
+          const Collider clip = find_collider("clip");
+          CHECK(check(*property, clip, *result.failing).kind != PropertyOutcome::Kind::fails);
+        });
   }
   return true;
 }();
 
-Outcome checked(std::string_view name, const PairCase& pair) {
+PropertyOutcome checked(std::string_view name, const PairCase& pair) {
   return check(*find_by_name(properties(), name), find_collider("clip"), pair);
 }
 
@@ -149,7 +150,7 @@ PairCase circle_in_box() {
 }  // namespace
 
 TEST_CASE("properties of round shapes are asked of the shapes that they name") {
-  using Kind = Outcome::Kind;
+  using Kind = PropertyOutcome::Kind;
   const PairCase circle = circle_in_box();
   CHECK(checked("circles-turn", circle).kind == Kind::holds);
   CHECK(checked("circles-are-limits", circle).kind == Kind::holds);

@@ -130,7 +130,7 @@ ArchiveFolder deal(HuntPlan& hunt, const HuntArguments& options) {
   ArchiveFolder folder{options.archives, hunt.what, *hunt.rounds, hunt.measure};
   if (share.round > 0) {
     hunt.founders.clear();
-    hunt.bequest = read_rounds_before(folder, share.round);
+    hunt.earlier = read_rounds_before(folder, share.round);
   } else {
     hunt.founders = dealt(hunt.founders, share_of(options.share));
   }

@@ -16,52 +16,6 @@
 using namespace manifuzz;
 using namespace manifuzz::test;
 
-namespace {
-
-<<<<<<< HEAD
-HuntPlan plan_of(const Collider& subject, const Collider& oracle, std::uint64_t cases, int jobs) {
-  HuntPlan hunt;
-  Plan& plan = hunt.plan;
-  plan.subject = subject;
-  plan.oracle = oracle;
-  for (const Regime& regime : regimes()) plan.regimes.push_back(&regime);
-  plan.seed = 4;
-  plan.cases = cases;
-  plan.jobs = jobs;
-  return hunt;
-}
-
-Hunt run(const HuntPlan& plan, const SaveTo& save_to = {}) {
-  using Json = nlohmann::ordered_json;
-  const Origin nowhere{"manifuzz hunt",
-                       {{"machine", ""}, {"compiler", ""}, {"versions", Json::object()}}};
-  return run_hunt(plan, {}, save_to, nowhere, [](const HuntProgress&) {});
-=======
-std::size_t index_of_bug(std::string_view name) {
-  std::size_t i = 0;
-  while (rare_bugs()[i].name != name) ++i;
-  return i;
-}
-
-/// The clip, its depths doubled and more where the bug is met.
-Collider with_rare_bug(std::string_view name) {
-  Collider collider = make_clip();
-  collider.declaration.name = "planted";
-  const std::size_t bug = index_of_bug(name);
-  collider.collide = [bug, clip = make_clip()](const PairCase& pair) {
-    Answer answer = clip.collide(pair);
-    if ((rare_bugs_met_by(exact::Truth(pair)) >> bug & 1) == 0) return answer;
-    if (auto* const manifold = std::get_if<Manifold<double>>(&answer)) {
-      for (ContactPoint<double>& point : manifold->points) point.depth += size(pair) / 4;
-    }
-    return answer;
-  };
-  return collider;
->>>>>>> 2361817a (Hunts may be dealt to machines in rounds: shares that begin with all archives before, and their sum)
-}
-
-}  // namespace
-
 TEST_CASE("any number of jobs finds the same") {
   const Hunt alone = run(plan_of(make_clip(), usual_oracle(), 6000, 1));
   const Hunt shared = run(plan_of(make_clip(), usual_oracle(), 6000, 3));

@@ -16,8 +16,9 @@ using namespace manifuzz::test;
 
 namespace {
 
-PropertyHuntPlan plan_of(const Collider& subject, const std::vector<std::string_view>& names,
-                         std::uint64_t cases, int jobs = 2) {
+PropertyHuntPlan property_plan_of(const Collider& subject,
+                                  const std::vector<std::string_view>& names, std::uint64_t cases,
+                                  int jobs = 2) {
   PropertyHuntPlan plan{
       .properties = {}, .subject = subject, .corpus = {}, .seed = 4, .cases = cases, .jobs = jobs};
   for (const Property& property : properties()) {
@@ -28,14 +29,15 @@ PropertyHuntPlan plan_of(const Collider& subject, const std::vector<std::string_
   return plan;
 }
 
-PropertyHunt run(const PropertyHuntPlan& plan) {
+PropertyHunt run_property(const PropertyHuntPlan& plan) {
   Interruption interruption;
   return hunt_properties(plan, interruption, [](const PropertyHuntProgress&) {});
 }
 
 std::vector<CheckedProperty> checked(const PropertyHuntPlan& plan, const std::string& save_to) {
   Interruption interruption;
-  return checked_by_hunt(run(plan), plan, {}, save_to, interruption, [](const CheckedProperty&) {});
+  return checked_by_hunt(run_property(plan), plan, {}, save_to, interruption,
+                         [](const CheckedProperty&) {});
 }
 
 /// The clip, which dies of shapes with eight vertices.
@@ -76,8 +78,8 @@ TEST_CASE("any number of jobs finds the same failures of properties") {
                                                          {dying_of_octagons(), 1200}};
   for (const auto& [subject, cases] : subjects) {
     CAPTURE(subject.declaration.name);
-    const PropertyHunt alone = run(plan_of(subject, {}, cases, 1));
-    const PropertyHunt shared = run(plan_of(subject, {}, cases, 3));
+    const PropertyHunt alone = run_property(property_plan_of(subject, {}, cases, 1));
+    const PropertyHunt shared = run_property(property_plan_of(subject, {}, cases, 3));
     CHECK(alone.cases == cases);
     CHECK(shared.cases == alone.cases);
     CHECK(shared.generations == alone.generations);
@@ -98,7 +100,7 @@ TEST_CASE("any number of jobs finds the same failures of properties") {
 
 TEST_CASE("a hunt finds a property's failure that as many drawn cases do not, and saves it small") {
   const std::string_view bug = "deep_on_a_short_face";
-  const PropertyHuntPlan plan = plan_of(with_rare_bug(bug), {"depth-is-overlap"}, 60'000);
+  const PropertyHuntPlan plan = property_plan_of(with_rare_bug(bug), {"depth-is-overlap"}, 60'000);
   const Property& property = *plan.properties.front();
   CHECK(run_property(property, plan.subject, {4, 60'000, {}, {}}).passed);
 
@@ -114,14 +116,15 @@ TEST_CASE("a hunt finds a property's failure that as many drawn cases do not, an
   CHECK(saved.property == property.name);
   CHECK(saved.pair() == *failed.result.failing);
   CHECK(rare_bugs_met_by(exact::Truth(saved.pair())) >> index_of_bug(bug) & 1);
-  CHECK(check(property, plan.subject, saved.pair()).kind == manifuzz::Outcome::Kind::fails);
-  CHECK(check(property, make_clip(), saved.pair()).kind == manifuzz::Outcome::Kind::holds);
+  CHECK(check(property, plan.subject, saved.pair()).kind == PropertyOutcome::Kind::fails);
+  CHECK(check(property, make_clip(), saved.pair()).kind == PropertyOutcome::Kind::holds);
   CHECK(failed.names_again() == "depth-is-overlap --hunt --cases 60000");
 }
 
 TEST_CASE("a collider that dies fails the property that asked it, and the hunt goes on") {
-  const PropertyHuntPlan plan = plan_of(dying_of_octagons(), {"never-empty", "renumbering"}, 600);
-  const PropertyHunt hunt = run(plan);
+  const PropertyHuntPlan plan =
+      property_plan_of(dying_of_octagons(), {"never-empty", "renumbering"}, 600);
+  const PropertyHunt hunt = run_property(plan);
   CHECK(hunt.cases == 600);
   for (const CheckedProperty& one : checked(plan, "")) {
     CAPTURE(one.property->name);
@@ -142,9 +145,9 @@ TEST_CASE("a property that holds measures more the nearer an answer is to its bo
   double before = 0;
   bool has_failed = false;
   for (double share = 0x1p-26; !has_failed && share < 1; share *= 2) {
-    const manifuzz::Outcome outcome =
+    const PropertyOutcome outcome =
         check(property, too_deep(share, [](const PairCase&) { return true; }), pair);
-    has_failed = outcome.kind == manifuzz::Outcome::Kind::fails;
+    has_failed = outcome.kind == PropertyOutcome::Kind::fails;
     if (!has_failed) CHECK(outcome.of_bound <= 1);
     CHECK(measure_of(outcome) > before);
     before = measure_of(outcome);

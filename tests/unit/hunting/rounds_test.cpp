@@ -30,7 +30,7 @@ Hunt run_share(const ArchiveFolder& folder, const RoundShare& share, int jobs) {
   hunt.compares = false;
   hunt.rounds = kRounds;
   narrow_to(kRounds, share, hunt.plan);
-  hunt.bequest = read_rounds_before(folder, share.round);
+  hunt.earlier = read_rounds_before(folder, share.round);
   Hunt hunted = run(hunt);
   write_archive(folder, share, hunted.archived);
   return hunted;
