@@ -5,7 +5,7 @@
 #include <span>
 
 #include "exact/clip.hpp"
-#include "judging/compare.hpp"
+#include "judging/by_curve.hpp"
 #include "judging/unjudged.hpp"
 
 namespace manifuzz {
@@ -96,6 +96,20 @@ std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
     if (!nearest || largest(measured.of_bound) < largest(nearest->of_bound)) nearest = measured;
   }
   return nearest;
+}
+
+std::optional<ErrorAgainstCurve> error_against(const exact::PenetrationCurve& curve,
+                                               const exact::Truth& truth,
+                                               const ColliderAnswer& given) {
+  const auto said = said_along(given.answer);
+  if (!said || !touches(given.answer)) return std::nullopt;
+  const CurveBounds bounds = curve_bounds(truth.pair(), given.declaration, truth.extent());
+  const auto off = [&](const Vector2<double>& normal) { return (normal - said->normal).norm(); };
+  const auto minima = curve.minima(bounds.minimality);
+  const ManifoldError error{.normal = off(*std::ranges::min_element(minima, {}, off)),
+                            .depth = std::abs(said->depth - curve.least())};
+  return ErrorAgainstCurve{
+      error, {.normal = error.normal / bounds.normal, .depth = error.depth / bounds.minimality}};
 }
 
 namespace {

@@ -5,8 +5,10 @@
 #include <optional>
 
 #include "exact/arithmetic.hpp"
+#include "exact/curve.hpp"
 #include "exact/root_sum.hpp"
 #include "judging/admissible.hpp"
+#include "judging/compare.hpp"
 
 namespace manifuzz {
 
@@ -74,6 +76,18 @@ std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
 /// where nothing may touch.
 std::optional<ErrorAgainstClip> nearest_error(const Manifold<double>& manifold,
                                               const Admissible& right, ClipFiguresCache& figures);
+
+/// An error against the penetration curve, free of any bound, and as a share of the bounds.
+struct ErrorAgainstCurve {
+  ManifoldError error;
+  ManifoldError of_bound;
+};
+
+/// The error of an answer's normal and depth against the nearest direction of least depth; none
+/// where it says that they are apart, or names no normal.
+std::optional<ErrorAgainstCurve> error_against(const exact::PenetrationCurve& curve,
+                                               const exact::Truth& truth,
+                                               const ColliderAnswer& given);
 
 /// The manifold with what it leaves out set as the right manifold nearest to it has it, so that it
 /// is judged by what it gave alone. Midpoints are moved to the incident edge.

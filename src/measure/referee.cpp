@@ -85,16 +85,11 @@ Measured Referee::measure_by_curve(const Declaration& declaration, const Answer&
   const Rules& rules = rules_for(declaration);
   if (is_ill_posed(size, rules.in_a_frame)) return {.assessment = Assessment::ill_posed};
   Measured measured;
-  if (const auto said = said_along(answer); said && touches(answer)) {
+  if (const auto found = error_against(curve, *truth_, {declaration, answer})) {
     measured.has_errors = true;
-    const CurveBounds bounds = curve_bounds(truth_->pair(), declaration, truth_->extent());
-    const auto off = [&](const Vector2<double>& normal) { return (normal - said->normal).norm(); };
-    const auto minima = curve.minima(bounds.minimality);
-    measured.error = {.normal = off(*std::ranges::min_element(minima, {}, off)),
-                      .depth = std::abs(said->depth - least)};
+    measured.error = found->error;
     measured.of_size = share_of_size(measured.error, size);
-    measured.of_bound = {.normal = measured.error.normal / bounds.normal,
-                         .depth = measured.error.depth / bounds.minimality};
+    measured.of_bound = found->of_bound;
     measured.of_extent = measured.error.depth / (roundoff(rules.scalar) * truth_->extent());
   }
   const Kind kind = judge_by_curve(*truth_, declaration, answer).kind;

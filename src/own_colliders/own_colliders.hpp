@@ -23,19 +23,29 @@ struct PlacedPair {
 
 /// A stored rotation (cos, sin) of length k turns by its direction and scales by k: the polygon is
 /// scaled, and the rest is rigid.
-inline PlacedPair<double> placed_pair_scaled(const PairCase& pair) {
-  PlacedPair<double> placed;
-  const auto place = [](const Body& body, ConvexPolygon<double>& polygon, Pose<double>& pose) {
-    const Vector2<double> rotation = body.pose.rotation.cast<double>();
-    const double k = std::sqrt(rotation.dot(rotation));
-    polygon = polygon_cast<double>(body.polygon);
+inline PlacedPair<double> placed_pair_scaled(const ConvexPolygon<double>& a,
+                                             const ConvexPolygon<double>& b,
+                                             const Pose<double>& pose_a,
+                                             const Pose<double>& pose_b) {
+  PlacedPair<double> placed{a, b, pose_a, pose_b};
+  const auto scale = [](ConvexPolygon<double>& polygon, Pose<double>& pose) {
+    const double k = std::sqrt(pose.rotation.dot(pose.rotation));
     for (int i = 0; i < polygon.count; ++i) polygon.vertices[i] *= k;
-    pose = {body.pose.position.cast<double>(), unit_direction(rotation)};
+    pose.rotation = unit_direction(pose.rotation);
     return k;
   };
-  placed.local_per_world = 1 / place(pair.a, placed.a, placed.pose_a);
-  place(pair.b, placed.b, placed.pose_b);
+  placed.local_per_world = 1 / scale(placed.a, placed.pose_a);
+  scale(placed.b, placed.pose_b);
   return placed;
+}
+
+/// A pair of floats likewise.
+inline PlacedPair<double> placed_pair_scaled(const PairCase& pair) {
+  const auto pose_of = [](const Body& body) -> Pose<double> {
+    return {body.pose.position.cast<double>(), body.pose.rotation.cast<double>()};
+  };
+  return placed_pair_scaled(polygon_cast<double>(pair.a.polygon),
+                            polygon_cast<double>(pair.b.polygon), pose_of(pair.a), pose_of(pair.b));
 }
 
 /// The pair for a collider of this scalar, float or double: in float as it stands, its rotations

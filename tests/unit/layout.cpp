@@ -40,6 +40,7 @@ const std::vector<Folder> kFolders = {
     {"external", "external", {"own code"}},
     {"generating", "generating", {"own code", "external"}},
     {"judging", "judging", {"own code", "external"}},
+    {"python", "own code", {"tools", "exchange", "external"}},
     {"properties", "properties", {"own code", "external"}},
     {"sequence", "sequence", {"own code", "external"}},
     {"corpus", "corpus", {"own code", "external"}},
@@ -62,11 +63,17 @@ const std::map<std::string_view, std::string_view> kAncestors = {
     {"rapier", "parry"},        {"bullet", "libccd"}};
 
 /// Beside these, names that begin with a dot.
-const std::set<std::string> kTopLevel = {"CMakeLists.txt", "CMakePresets.json",
-                                         "README.md",      "CHANGELOG.md",
-                                         "LICENSE",        "src",
-                                         "oracle",         "tests",
-                                         "corpus",         "scripts"};
+const std::set<std::string> kTopLevel = {"CMakeLists.txt",
+                                         "CMakePresets.json",
+                                         "README.md",
+                                         "CHANGELOG.md",
+                                         "LICENSE",
+                                         "pyproject.toml",
+                                         "src",
+                                         "oracle",
+                                         "tests",
+                                         "corpus",
+                                         "scripts"};
 
 constexpr std::size_t kMaxLines = 300;
 constexpr std::size_t kMaxModules = 24;
