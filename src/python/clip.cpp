@@ -40,15 +40,17 @@ Manifold<double> collide(const ConvexPolygon<double>& a, const ConvexPolygon<dou
   return manifold;
 }
 
-/// `a` and `b` are one shape or as many as `poses`; `out` is as long.
+/// Pairs from `begin` to before `end`. `a` and `b` are one shape or as many as `poses`; `out` is as
+/// long.
 template <class Scalar>
 void clip(const In<ShapeRecord<Scalar>>& a, const In<ShapeRecord<Scalar>>& b,
-          const In<PosesRecord<Scalar>>& poses, Scalar tie_bias, const Out<Manifold<Scalar>>& out) {
+          const In<PosesRecord<Scalar>>& poses, Scalar tie_bias, const Out<Manifold<Scalar>>& out,
+          std::size_t begin, std::size_t end) {
   const ShapesOf<Scalar> shapes_a(records<ShapeRecord<Scalar>>(a), "a");
   const ShapesOf<Scalar> shapes_b(records<ShapeRecord<Scalar>>(b), "b");
   const auto placed = records<PosesRecord<Scalar>>(poses);
   const auto manifolds = records<Manifold<Scalar>>(out);
-  for (std::size_t i = 0; i < placed.size(); ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     manifolds[i] = collide(shapes_a[i], shapes_b[i], checked_pose(placed, i, Side::a),
                            checked_pose(placed, i, Side::b), tie_bias);
     clear_unspecified(manifolds[i]);

@@ -1,7 +1,7 @@
 #include "judging/judge.hpp"
 
 #include <cmath>
-#include <limits>
+#include <memory>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -33,22 +33,22 @@ struct Convention {
 Convention convention(int scalar, int frame, int normals, int points, int claims, bool clips,
                       double tie_bias, bool takes_angles, bool one_point_enough, bool shares_depth,
                       bool in_world, bool names_reference, bool names_features) {
-  Convention made{
-      .in_world = in_world, .names_reference = names_reference, .names_features = names_features};
-  made.declaration = {.name = "python",
-                      .scalar = static_cast<ScalarType>(scalar),
-                      .frame = static_cast<RoundingFrame>(frame),
-                      .takes_angles = takes_angles,
-                      .normals = static_cast<NormalsFrom>(normals),
-                      .tie_bias = {tie_bias},
-                      .min_vertices = 1,
-                      .takes_round = true,
-                      .claims = static_cast<Claims>(claims),
-                      .clips = clips,
-                      .points = static_cast<PointsAt>(points),
-                      .shares_depth = shares_depth,
-                      .one_point_enough = one_point_enough};
-  return made;
+  return {.declaration = {.name = "python",
+                          .scalar = static_cast<ScalarType>(scalar),
+                          .frame = static_cast<RoundingFrame>(frame),
+                          .takes_angles = takes_angles,
+                          .normals = static_cast<NormalsFrom>(normals),
+                          .tie_bias = {tie_bias},
+                          .min_vertices = 1,
+                          .takes_round = true,
+                          .claims = static_cast<Claims>(claims),
+                          .clips = clips,
+                          .points = static_cast<PointsAt>(points),
+                          .shares_depth = shares_depth,
+                          .one_point_enough = one_point_enough},
+          .in_world = in_world,
+          .names_reference = names_reference,
+          .names_features = names_features};
 }
 
 /// The answer by the contract of `Manifold`, as far as it is given.
@@ -139,15 +139,17 @@ JudgementRecord judgement_of(const PairCase& pair, const Manifold<double>& given
   return record;
 }
 
+/// Cases from `begin` to before `end`.
 void judge_answers(const In<ShapeRecord<float>>& a, const In<ShapeRecord<float>>& b,
                    const In<PosesRecord<float>>& poses, const In<Manifold<double>>& answers,
-                   const Convention& by, const Out<JudgementRecord>& out) {
+                   const Convention& by, const Out<JudgementRecord>& out, std::size_t begin,
+                   std::size_t end) {
   const auto shapes_a = records<ShapeRecord<float>>(a);
   const auto shapes_b = records<ShapeRecord<float>>(b);
   const auto placed = records<PosesRecord<float>>(poses);
   const auto given = records<Manifold<double>>(answers);
   const auto judgements = records<JudgementRecord>(out);
-  for (std::size_t i = 0; i < given.size(); ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     const PairCase pair{{checked_shape(shapes_a, i, "cases.a"), checked_pose(placed, i, Side::a)},
                         {checked_shape(shapes_b, i, "cases.b"), checked_pose(placed, i, Side::b)}};
     judgements[i] = judgement_of(pair, given[i], by);

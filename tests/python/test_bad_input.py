@@ -55,9 +55,7 @@ def test_a_record_with_an_impossible_count_is_refused_wherever_it_comes(count):
         (lambda: manifuzz.clip(shapes, manifuzz.shape(BOX), poses), "a[2]"),
         (lambda: manifuzz.Shapes(shapes), "shapes[2]"),
         (
-            lambda: manifuzz.judge(
-                manifuzz.Cases(shapes, shapes, poses), np.zeros(3, manifuzz.manifold32)
-            ),
+            lambda: manifuzz.judge(manifuzz.Cases(shapes, shapes, poses), np.zeros(3, manifuzz.manifold32)),
             "cases.a[2]",
         ),
     ):
@@ -91,6 +89,19 @@ def test_another_shape_is_refused(shape):
     says(error, "poses", "(n, 2, 4)" if shape != (3, 4) else "2, 4)", f"of shape {shape}")
 
 
+def test_a_bad_case_among_thousands_is_named_by_its_index():
+    cases = manifuzz.cases("generic", 1, 2500)
+    answers = manifuzz.clip(cases.a, cases.b, cases.poses)
+    cases.b["vertices"][2345, 1] = np.nan
+    for ask, name in (
+        (lambda: manifuzz.judge(cases, answers), "cases.b[2345]"),
+        (lambda: manifuzz.clip(cases.a, cases.b, cases.poses), "b[2345]"),
+    ):
+        with pytest.raises(ValueError) as error:
+            ask()
+        says(error, name, "not finite")
+
+
 def test_another_number_of_shapes_is_refused():
     with pytest.raises(ValueError) as error:
         manifuzz.clip(manifuzz.shape([BOX, BOX]), manifuzz.shape(BOX), POSES)
@@ -104,7 +115,9 @@ def test_memory_that_is_not_contiguous_is_refused_and_not_copied():
     says(error, "poses", "not contiguous", "ascontiguousarray")
 
 
-@pytest.mark.parametrize("place, value, why", [(0, np.nan, "position"), (1, np.inf, "position"), (2, 1.1, "length must be 1")])
+@pytest.mark.parametrize(
+    "place, value, why", [(0, np.nan, "position"), (1, np.inf, "position"), (2, 1.1, "length must be 1")]
+)
 @pytest.mark.parametrize("side", [0, 1])
 def test_a_pose_that_is_none_is_refused(place, value, why, side):
     poses = np.repeat(POSES, 3, 0)

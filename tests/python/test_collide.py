@@ -13,9 +13,7 @@ POSES = np.array([[0, 0, 1, 0], [0.5, 1.75, 1, 0]], np.float32)
 
 def as_batch(cases: manifuzz.Cases, scalar=np.float32):
     """Each case as two bodies of a batch."""
-    shape, body = (
-        (manifuzz.shape32, manifuzz.body32) if scalar == np.float32 else (manifuzz.shape64, manifuzz.body64)
-    )
+    shape, body = (manifuzz.shape32, manifuzz.body32) if scalar == np.float32 else (manifuzz.shape64, manifuzz.body64)
     n = len(cases)
     shapes = np.concatenate([cases.a, cases.b]).astype(shape)
     bodies = np.empty(2 * n, body)
@@ -144,6 +142,7 @@ def test_other_threads_run_during_a_batch():
     out = np.empty(len(many), manifuzz.manifold32)
     # On a busy machine this thread may wake too late; where the lock is kept it always does.
     assert any(
-        is_unfinished_when_another_thread_runs(lambda: manifuzz.batch(laid_out, bodies, many, out=out)) for _ in range(20)
+        is_unfinished_when_another_thread_runs(lambda: manifuzz.batch(laid_out, bodies, many, out=out))
+        for _ in range(20)
     )
     assert not any(is_unfinished_when_another_thread_runs(lambda: sum(range(10000))) for _ in range(5))

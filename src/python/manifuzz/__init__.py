@@ -12,13 +12,13 @@ Names that end in 32 are of floats, those in 64 of doubles:
 `body32`, `body64`
     ``shape``, an index; ``pose``: x and y of the position, cos and sin of the rotation.
 `manifold32`, `manifold64`
-    ``count``: 0, 1 or 2; ``reference``: whose face clips, 0 for A and 1 for B; ``normal`` (2,); ``points`` (2,), each with
-    ``position`` (2,), ``depth`` >= 0, and ``features``: what of ``a`` and of ``b`` makes it, of ``kind`` 0 (vertex) or
-    1 (face), and its ``index``. What is behind the last point is 0, and without points all else is.
+    ``count``: 0, 1 or 2; ``reference``: whose face clips, 0 for A and 1 for B; ``normal`` (2,); ``points`` (2,), each
+    with ``position`` (2,), ``depth`` >= 0, and ``features``: what of ``a`` and of ``b`` makes it, of ``kind`` 0
+    (vertex) or 1 (face), and its ``index``. What is behind the last point is 0, and without points all else is.
 `judgement`
     what `judge` gives.
 
-All functions but the constructors of arrays let other threads run meanwhile.
+`clip`, `clip64`, `batch`, `cases` and `judge` let other threads run meanwhile, which must not change their arrays.
 """
 
 from ._arrays import body32, body64, judgement, manifold32, manifold64, shape32, shape64

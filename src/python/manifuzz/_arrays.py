@@ -1,5 +1,6 @@
 """The dtypes of manifuzz's arrays, and how arrays are looked at before they are used where they are."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -69,9 +70,7 @@ def dtype_name(dtype: np.dtype[Any]) -> str:
     return dtype.name if dtype.names is None else f"another record ({', '.join(dtype.names)})"
 
 
-def expect(
-    name: str, array: Any, dtype: DTypeLike, shape: tuple[int | str, ...], hint: str = ""
-) -> NDArray[Any]:
+def expect(name: str, array: Any, dtype: DTypeLike, shape: tuple[int | str, ...], hint: str = "") -> NDArray[Any]:
     """The array, if it has this dtype and this shape (a letter stands for any length) and lies in memory as C has it.
 
     Raises TypeError for another dtype, ValueError for another shape or layout; each says what would be right.
@@ -95,4 +94,11 @@ def expect(
 def rows(array: NDArray[Any], dtype: np.dtype[Any]) -> NDArray[np.uint8]:
     """The bytes of an array that `expect` let through, a row for each record of `dtype`; nothing is copied."""
     flat = array.reshape(-1) if array.size else np.empty(0, array.dtype)
-    return flat.view(np.uint8).reshape(-1, dtype.itemsize)
+    by_byte: NDArray[np.uint8] = flat.view(np.uint8).reshape(-1, dtype.itemsize)
+    return by_byte
+
+
+def parts(count: int, length: int) -> Iterator[slice]:
+    """0 to `count` in slices of this length, for what ctrl-C should end between two of them."""
+    for begin in range(0, count, length):
+        yield slice(begin, min(begin + length, count))

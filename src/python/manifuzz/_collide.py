@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _core
-from ._arrays import body32, body64, expect, manifold32, manifold64, rows, shape32, shape64
+from ._arrays import body32, body64, expect, manifold32, manifold64, parts, rows, shape32, shape64
 
 _Array = NDArray[Any]
 
@@ -16,7 +16,9 @@ _Array = NDArray[Any]
 _PAIRS_AT_A_TIME = 100_000
 
 
-def shape(vertices: ArrayLike, radius: ArrayLike = 0, *, round: ArrayLike = False, dtype: DTypeLike = np.float32) -> _Array:
+def shape(
+    vertices: ArrayLike, radius: ArrayLike = 0, *, round: ArrayLike = False, dtype: DTypeLike = np.float32
+) -> _Array:
     """Shapes of `vertices`.
 
     vertices: (k, 2) for one shape, (n, k, 2) for n of k vertices each, 1 <= k <= 8: lengths in the shape's own frame,
@@ -92,12 +94,16 @@ def _clip(
     manifold = manifold32 if is_float else manifold64
     result = _out(out, manifold, () if is_one else (count,))
     pair = np.dtype((scalar, (2, 4)))
-    everything = [rows(of_a, shapes), rows(of_b, shapes), rows(poses, pair), rows(result, manifold)]
-    for begin in range(0, count, _PAIRS_AT_A_TIME):
-        # A range of one shape for all pairs is that shape.
-        some = slice(begin, begin + _PAIRS_AT_A_TIME)
-        parts = [all_rows if i < 2 and not (of_a, of_b)[i].ndim else all_rows[some] for i, all_rows in enumerate(everything)]
-        core(parts[0], parts[1], parts[2], bias, parts[3])
+    for some in parts(count, _PAIRS_AT_A_TIME):
+        core(
+            rows(of_a, shapes),
+            rows(of_b, shapes),
+            rows(poses, pair),
+            bias,
+            rows(result, manifold),
+            some.start,
+            some.stop,
+        )
     return result
 
 
@@ -105,14 +111,14 @@ def clip(a: _Array, b: _Array, poses: _Array, *, tie_bias: float = 0.0, out: _Ar
     """The manifolds of pairs of shapes, in float.
 
     a, b: one shape for all pairs or n, `shape32` of shape () or (n,); or the vertices of one, float32 of shape (k, 2).
-    poses: float32 of shape (n, 2, 4), or (2, 4) of one pair: of A and of B x and y of the position in the world, a length,
-        and cos and sin of the rotation.
+    poses: float32 of shape (n, 2, 4), or (2, 4) of one pair: of A and of B x and y of the position in the world, a
+        length, and cos and sin of the rotation.
     tie_bias: B's face is taken only where its separation is greater by more than this length. 0 in the article.
     out: where manifolds are written to; else an array is made.
 
     Returns `manifold32` of shape (n,), or () of one pair.
-    Raises TypeError for another dtype; ValueError for another shape, for memory that is not contiguous, for a shape that
-    is not convex or not finite, and for (cos, sin) that is not of length 1 within 5e-6.
+    Raises TypeError for another dtype; ValueError for another shape, for memory that is not contiguous, for a shape
+    that is not convex or not finite, and for (cos, sin) that is not of length 1 within 5e-6.
     """
     return _clip(_core.clip, np.float32, "clip64", a, b, poses, tie_bias, out)
 
@@ -120,8 +126,8 @@ def clip(a: _Array, b: _Array, poses: _Array, *, tie_bias: float = 0.0, out: _Ar
 def clip64(a: _Array, b: _Array, poses: _Array, *, tie_bias: float = 0.0, out: _Array | None = None) -> _Array:
     """The manifolds of pairs of shapes, in double.
 
-    a, b, poses, tie_bias and out are as `clip` has them, but `shape64` or float64, and `manifold64`. Rotations are divided
-    by their lengths, which floats leave off 1 by 6e-8, and shapes are as many times as large.
+    a, b, poses, tie_bias and out are as `clip` has them, but `shape64` or float64, and `manifold64`. Rotations are
+    divided by their lengths, which floats leave off 1 by 6e-8, and shapes are as many times as large.
 
     Returns `manifold64` of shape (n,), or () of one pair. Raises as `clip` does.
     """
@@ -150,13 +156,14 @@ def batch(
 ) -> _Array:
     """The manifolds of many pairs of bodies, at the speed of the kernel: those of `clip`, bit for bit.
 
-    shapes: what bodies refer to: `shape32` or `shape64` of shape (k,), or `Shapes` of them, which spares laying them out
-        again.
+    shapes: what bodies refer to: `shape32` or `shape64` of shape (k,), or `Shapes` of them, which spares laying them
+        out again.
     bodies: of shape (m,), `body32`, or `body64` where shapes are doubles. Positions are in the world.
     pairs: uint32 of shape (n, 2): A's index among the bodies, and B's.
     tie_bias, out: as `clip` has them.
 
-    Returns `manifold32` or `manifold64` of shape (n,), each in the frame of its A. Rotations are taken to be of length 1.
+    Returns `manifold32` or `manifold64` of shape (n,), each in the frame of its A. Rotations are taken to be of
+    length 1.
     Raises TypeError and ValueError as `clip` does, and ValueError for an index of no shape or no body.
     """
     laid_out = shapes if isinstance(shapes, Shapes) else Shapes(shapes)
@@ -190,7 +197,8 @@ def to_world(poses: _Array, manifolds: _Array) -> tuple[_Array, _Array]:
 
     poses: (n, 2, 4) of float32 or float64, of which A's count. manifolds: (n,), of either dtype.
 
-    Returns positions, float64 of shape (n, 2, 2), of which `count` are points, and unit normals, float64 of shape (n, 2).
+    Returns positions, float64 of shape (n, 2, 2), of which `count` are points, and unit normals, float64 of
+    shape (n, 2).
     """
     of_a = np.asarray(poses, np.float64)[..., 0, :]
     cos, sin = of_a[..., 2], of_a[..., 3]

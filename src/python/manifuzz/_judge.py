@@ -1,6 +1,5 @@
 """Cases, and the exact judge of answers to them."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from math import isfinite
 from typing import Any, Literal
@@ -9,7 +8,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import expect, judgement, judgement_record, kinds, manifold32, manifold64, rows, shape32, shape64, verdicts
+from ._arrays import (
+    expect,
+    judgement,
+    judgement_record,
+    kinds,
+    manifold32,
+    manifold64,
+    parts,
+    rows,
+    shape32,
+    shape64,
+    verdicts,
+)
 
 _Array = NDArray[Any]
 _POSES = np.dtype((np.float32, (2, 4)))
@@ -51,11 +62,6 @@ class Cases:
         return self.a.astype(shape64), self.b.astype(shape64), self.poses.astype(np.float64)
 
 
-def _ranges(count: int) -> Iterator[slice]:
-    for begin in range(0, count, _CASES_AT_A_TIME):
-        yield slice(begin, min(begin + _CASES_AT_A_TIME, count))
-
-
 def regimes() -> dict[str, str]:
     """The names of the families of cases, with a line on each."""
     return dict(_core.regimes())
@@ -78,7 +84,7 @@ def cases(regime: str, seed: int, count: int, *, first: int = 0, radius: float |
         raise ValueError(f"there is no regime {regime!r}; these are: {', '.join(regimes())}")
     made = Cases(np.zeros(count, shape32), np.zeros(count, shape32), np.zeros((count, 2, 4), np.float32))
     everything = rows(made.a, shape32), rows(made.b, shape32), rows(made.poses, _POSES)
-    for some in _ranges(count):
+    for some in parts(count, _CASES_AT_A_TIME):
         _core.generate(regime, seed, first + some.start, radius, *(all[some] for all in everything))
     return made
 
@@ -89,11 +95,11 @@ class Declaration:
 
     scalar: what it computes in, whose roundoff scales every bound; None is the scalar of its answers.
     frame: where it rounds: "local" in a frame that travels with the pair, "world" in coordinates of the world.
-    normals: where a face's comes from: "given", made in double and rounded once, as in C++; "vertices", in the shape's own
-        frame; "world_vertices", once they are rounded in the world.
+    normals: where a face's comes from: "given", made in double and rounded once, as in C++; "vertices", in the shape's
+        own frame; "world_vertices", once they are rounded in the world.
     tie_bias: B's face is taken only where its separation is greater by more than this length (0.0005 in Box2D 2.4).
-    points: where they lie: "clip", on the incident edge; "midpoint", halfway between both surfaces; "vertex"; "surface_a";
-        "surface_b".
+    points: where they lie: "clip", on the incident edge; "midpoint", halfway between both surfaces; "vertex";
+        "surface_a"; "surface_b".
     claims: what an answer says: "manifold", all contact points; "point", one of them.
     clips: whether a face clips an edge; else any point where the shapes overlap by what it says is right.
     takes_angles: whether rotations reach it as angles. one_point_enough: of two points it may give one.
@@ -146,10 +152,12 @@ def judge(cases: Cases, answers: _Array, declaration: Declaration = Declaration(
     """What is right of each case, and what is wrong with each answer, by exact arithmetic.
 
     cases: n of them.
-    answers: `manifold32` or `manifold64` of shape (n,): of `clip`, or of an engine of your own (`manifolds` makes them).
+    answers: `manifold32` or `manifold64` of shape (n,): of `clip`, or of an engine of your own
+        (`manifolds` makes them).
     declaration: of the collider whose answers they are.
 
-    Returns `judgement` of shape (n,). Lengths are in the world, shares are of ``size``, normals and points in A's frame:
+    Returns `judgement` of shape (n,). Lengths are in the world, shares are of ``size``, and normals and points
+    in A's frame:
 
     verdict: "agree" where the answer is right within the bounds that its scalar and the case have; "subject_wrong";
         "ill_posed" where it is within them but they are more than 5% of the size; "malformed" where it is no manifold.
@@ -157,10 +165,11 @@ def judge(cases: Cases, answers: _Array, declaration: Declaration = Declaration(
     touching, separation: what is true; a separation below 0 is an overlap of the shapes without radii.
     depth, normal: the least depth over all directions, below 0 across a gap, and the normal along which it is least.
     size: of the smaller shape, a length: its diameter.
-    errors: by how much a wrong answer is, in "normal" (a length of vectors of length 1), "position", "depth", "missing",
-        "extra" and "excess" (shares of the size); 0 within its own bound. magnitude: the greatest; bound: of that one.
-    of_size, of_bound: the plain error in normal, position and depth against the nearest right answer, whether or not it is
-        within its bound: as shares of the size (of a normal, a length), and of its bound, below 1 where it is within it.
+    errors: by how much a wrong answer is, in "normal" (a length of vectors of length 1), "position", "depth",
+        "missing", "extra" and "excess" (shares of the size); 0 within its own bound. magnitude: the greatest; bound: of
+        that one.
+    of_size, of_bound: the plain error in normal, position and depth against the nearest right answer, whether or not it
+        is within its bound: as shares of the size (of a normal, a length), and of its bound, below 1 within it.
         Not a number where there is no contact to compare; of round shapes, and where ``clips`` is false, no position.
     right, right_count: the right manifold that the answer is nearest to, and how many there are. Where an empty one is
         right, too, it counts. Of round shapes there are none: ``depth`` and ``normal`` say what is right.
@@ -181,11 +190,11 @@ def judge(cases: Cases, answers: _Array, declaration: Declaration = Declaration(
         rows(cases.b, shape32),
         rows(cases.poses, _POSES),
         rows(given, manifold64),
+        by,
         rows(records, judgement_record),
     )
-    for some in _ranges(len(cases)):
-        parts = [all[some] for all in everything]
-        _core.judge(*parts[:4], by, parts[4])
+    for some in parts(len(cases), _CASES_AT_A_TIME):
+        _core.judge(*everything, some.start, some.stop)
     result = np.zeros(len(cases), judgement)
     words = {"verdict": verdicts, "kind": kinds}
     for name in judgement.names or ():
