@@ -93,8 +93,9 @@ TEST_CASE("an oracle or a judge that includes our own collider is caught") {
        {"src/exact/truth.cpp", "oracle/box2d/box2d.cpp", "src/external/library.cpp",
         "src/judging/judge.cpp", "src/generating/regime.cpp", "src/campaign/run.cpp",
         "src/exchange/json.cpp", "src/corpus/shrink.cpp"}) {
-    for (const char* const ours : {"clipping/collide.hpp", "kernel/pair.hpp", "scene/scene.hpp",
-                                   "methods/gjk.hpp", "own_colliders/own_colliders.hpp"}) {
+    for (const char* const ours :
+         {"clipping/collide.hpp", "kernel/pair.hpp", "scene/scene.hpp", "methods/gjk.hpp",
+          "own_colliders/own_colliders.hpp", "python/records.hpp"}) {
       CAPTURE(file, ours);
       CHECK_FALSE(may_include(file, ours));
     }
@@ -164,6 +165,8 @@ TEST_CASE("includes that point down, or stay, are allowed") {
   CHECK(may_include("src/measure/bench/bench.cpp", "scene/scene.hpp"));
   CHECK(may_include("src/measure/bench/bench.cpp", "judging/judge.hpp"));
   CHECK(may_include("src/judging/judge.cpp", "exact/truth.hpp"));
+  CHECK(may_include("src/python/judge.cpp", "judging/judge.hpp"));
+  CHECK(may_include("src/python/batch.cpp", "kernel/batch.hpp"));
   CHECK(may_include("src/clipping/collide.hpp", "clipping/clip.hpp"));
   CHECK(may_include("src/external/library.cpp", "exchange/json.hpp"));
   CHECK(may_include("src/geometry/pose.hpp", "Eigen/Core"));
