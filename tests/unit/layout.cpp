@@ -283,15 +283,9 @@ Violations stray_entries(const std::vector<SourceFile>& files) {
 
 Violations machine_paths(const std::vector<SourceFile>& files) {
   // Split, so that this file does not name them.
-  const std::vector<std::string> paths = {
-      "/wo"
-      "rk/",
-      "/ho"
-      "me/",
-      "/ro"
-      "ot/",
-      "/tm"
-      "p/helpers"};
+  const std::string split = "/";
+  const std::vector<std::string> paths = {split + "work/", split + "home/", split + "root/",
+                                          split + "tmp/helpers"};
   Violations found;
   for (const SourceFile& file : files) {
     for (const std::string& path : paths) {
