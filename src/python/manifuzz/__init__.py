@@ -4,7 +4,8 @@ Shapes have 1 to 8 vertices, counter-clockwise: polygons, with 2 vertices segmen
 A manifold says how two of them touch: 0, 1 or 2 points, each with its depth, and a unit normal from A to B. Points and
 normals are in A's frame (`to_world` maps them), lengths in the unit of the shapes and poses.
 
-Arrays are used where they are, without copies: they must have the dtypes that each function names, and be contiguous.
+Arrays are used where they are, without copies (`judge` makes doubles of answers that are floats): they must have the
+dtypes that each function names, and be contiguous.
 Names that end in 32 are of floats, those in 64 of doubles:
 
 `shape32`, `shape64`
