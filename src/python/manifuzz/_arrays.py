@@ -80,15 +80,15 @@ def expect(name: str, array: Any, dtype: DTypeLike, shape: tuple[int | str, ...]
     wanted = f"{name}: an array of {dtype_name(dtype)} and shape {letters} is expected"
     if not isinstance(array, (np.ndarray, np.void)) or array.dtype != dtype:
         raise TypeError(f"{wanted}, not {_in_words(array)}{hint and '; ' + hint}")
-    array = np.asarray(array)
-    fits = len(array.shape) == len(shape) and all(
-        isinstance(want, str) or have == want for have, want in zip(array.shape, shape)
+    given: NDArray[Any] = np.asarray(array)
+    fits = len(given.shape) == len(shape) and all(
+        isinstance(want, str) or have == want for have, want in zip(given.shape, shape)
     )
     if not fits:
-        raise ValueError(f"{wanted}, not {_in_words(array)}")
-    if not array.flags.c_contiguous or not array.flags.aligned:
+        raise ValueError(f"{wanted}, not {_in_words(given)}")
+    if not given.flags.c_contiguous or not given.flags.aligned:
         raise ValueError(f"{name}: its memory is not contiguous; numpy.ascontiguousarray({name}) makes a copy that is")
-    return array
+    return given
 
 
 def rows(array: NDArray[Any], dtype: np.dtype[Any]) -> NDArray[np.uint8]:

@@ -180,7 +180,9 @@ def judge(cases: Cases, answers: _Array, declaration: Declaration = Declaration(
         raise TypeError(f"cases: manifuzz.Cases are expected, not a {type(cases).__name__}")
     is_float = getattr(answers, "dtype", None) == manifold32
     dtype = manifold32 if is_float else manifold64
-    given = expect("answers", answers, dtype, (len(cases),), "manifuzz.manifolds makes them").astype(manifold64, copy=False)
+    given = expect("answers", answers, dtype, (len(cases),), "manifuzz.manifolds makes them").astype(
+        manifold64, copy=False
+    )
     if np.any(given["reference"] > 1):
         raise ValueError(f"answers[{int(np.argmax(given['reference'] > 1))}]: the reference must be 0 (A) or 1 (B)")
     by = declaration._convention(np.dtype(np.float32 if is_float else np.float64))
