@@ -108,25 +108,20 @@ struct PlaceOfOther {
 };
 
 /// Where the other core is nearest to a face between the face's ends: at its deepest vertex, or
-/// farther along its outline, if it is no farther away there than `most`, a length; nothing where
-/// there is no such place.
+/// farther along its outline to one side, if it is no farther away there than `most`, a length;
+/// nothing where there is no such place.
 template <class Scalar>
-std::optional<PlaceOfOther<Scalar>> place_inside_face(const ConvexPolygon<Scalar>& polygon,
-                                                      const clipping::FaceSeparation<Scalar>& found,
-                                                      const ConvexPolygon<Scalar>& other,
-                                                      PlaceAtFace what, Scalar most) {
+std::optional<PlaceOfOther<Scalar>> place_along(const ConvexPolygon<Scalar>& polygon,
+                                                const clipping::FaceSeparation<Scalar>& found,
+                                                const ConvexPolygon<Scalar>& other,
+                                                PlaceAtFace what, Scalar most, bool goes_back) {
   const Vector2<Scalar>& from = polygon.vertices[found.face];
   const Vector2<Scalar>& to = polygon.vertices[polygon.next(found.face)];
-  const Vector2<Scalar>& normal = polygon.normals[found.face];
   const Vector2<Scalar> along = clipping::along_face(polygon, found.face);
   const auto before = [&](int j) { return along.dot(from - other.vertices[j]); };
   const auto after = [&](int j) { return along.dot(other.vertices[j] - to); };
   const bool is_before = before(found.deepest) > 0;
   const auto outside = [&](int j) { return is_before ? before(j) : after(j); };
-  // The other's edges run against the face: what is farther along it comes before. Those of the far
-  // side run along it, of which rounding may take a vertex for the deepest.
-  const bool is_near_side = clipping::has_edge_along<Scalar>(other, found.deepest, -normal);
-  const bool goes_back = is_before == is_near_side;
   int last = found.deepest;
   int j = last;
   for (int steps = 0; outside(j) > 0; ++steps) {
@@ -144,8 +139,22 @@ std::optional<PlaceOfOther<Scalar>> place_inside_face(const ConvexPolygon<Scalar
   } else if ((is_before ? after(j) : before(j)) > 0) {
     return std::nullopt;
   }
-  if (normal.dot(place.position - from) > most) return std::nullopt;
+  if (polygon.normals[found.face].dot(place.position - from) > most) return std::nullopt;
   return place;
+}
+
+/// As above, to the side that leads to the face. The other's edges run against it: what is farther
+/// along it comes before. Those of a far side run along it, which matters where rounding took one
+/// of their vertices for the deepest.
+template <class Scalar>
+std::optional<PlaceOfOther<Scalar>> place_inside_face(const ConvexPolygon<Scalar>& polygon,
+                                                      const clipping::FaceSeparation<Scalar>& found,
+                                                      const ConvexPolygon<Scalar>& other,
+                                                      PlaceAtFace what, Scalar most) {
+  const Vector2<Scalar> from_deepest = polygon.vertices[found.face] - other.vertices[found.deepest];
+  const bool is_before = clipping::along_face(polygon, found.face).dot(from_deepest) > 0;
+  const auto place = place_along(polygon, found, other, what, most, is_before);
+  return place ? place : place_along(polygon, found, other, what, most, !is_before);
 }
 
 }  // namespace manifuzz::methods

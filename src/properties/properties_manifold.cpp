@@ -120,7 +120,8 @@ double along_reference(const PairCase& pair, const Manifold<double>& manifold) {
 
 /// The article finds its edges by the farthest vertex, which is decided where the deepest vertex
 /// lies clearly below all others, the reference face clearly above all other vertices of its
-/// polygon, and is clearly more perpendicular to the normal than the edges next to it.
+/// polygon, and is clearly more perpendicular to the normal than the edges next to it, and so is
+/// the incident edge, than the other one at the deepest vertex.
 bool farthest_vertices_decided(const PairCase& pair, const Admissible& right) {
   const exact::Clip& only = *right.candidates.front();
   const FaceOf face = only.reference;
@@ -134,9 +135,10 @@ bool farthest_vertices_decided(const PairCase& pair, const Admissible& right) {
     return leading(dot(normal, exact::vertex<DoubleDouble>(pair, side, v) -
                                    exact::vertex<DoubleDouble>(pair, side, w)));
   };
-  const auto tilted = [&](FaceOf edge) {
-    return std::abs(sine(unit(exact::outward<DoubleDouble>(pair, edge)), normal)) > clear_tilt;
+  const auto tilt = [&](FaceOf edge) {
+    return std::abs(sine(unit(exact::outward<DoubleDouble>(pair, edge)), normal));
   };
+  const auto tilted = [&](FaceOf edge) { return tilt(edge) > clear_tilt; };
   const ConvexPolygon<float>& reference = pair[face.side].polygon;
   const int second = reference.next(face.index);
   for (int i = 0; i < reference.count; ++i) {
@@ -149,6 +151,8 @@ bool farthest_vertices_decided(const PairCase& pair, const Admissible& right) {
   for (int i = 0; i < incident.count; ++i) {
     if (i != deepest && beyond(opposing, i, deepest) <= clear_height) return false;
   }
+  const int beside = deepest == only.incident ? incident.previous(deepest) : deepest;
+  if (tilt({opposing, beside}) - tilt({opposing, only.incident}) <= clear_tilt) return false;
   return tilted({opposing, only.incident}) && tilted({face.side, second});
 }
 

@@ -32,7 +32,10 @@ PropertyOutcome same_normal_and_place(const PairCase& pair, const RoundAnswer& h
                                       const Manifold<double>& moved_back) {
   const double turn = (here.manifold().normal - moved_back.normal).norm();
   const double within = here.normal_bound() + there.normal_bound();
-  if (!(turn <= within)) return fails("another normal", turn);
+  if (!(turn <= within)) {
+    const bool is_tie = here.has_right_normal() && there.has_right_normal();
+    return is_tie ? not_applicable() : fails("another normal", turn);
+  }
   const double of_bound = taken_of(within, turn);
   if (!has_circle(pair)) return holds(of_bound);
   // On the line through the circle's center, a radius and a depth from it at most.
@@ -97,6 +100,7 @@ PropertyOutcome same_round_contact(
   const double of_depth = taken_within(here.half_width() + there.half_width(), apart);
   if (!here.tells_normal() || !there.tells_normal()) return holds(of_depth);
   PropertyOutcome outcome = same_normal_and_place(pair, here, there, back(there.manifold()));
+  if (outcome.kind == PropertyOutcome::Kind::not_applicable) return holds(of_depth);
   outcome.of_bound = std::max(outcome.of_bound, of_depth);
   return outcome;
 }

@@ -34,6 +34,9 @@ class RoundAnswer {
   /// Whether the contact's normal is told, within `normal_bound`; a length of unit vectors.
   bool tells_normal() const { return touches() && nearest_.must_be_near(); }
   double normal_bound() const { return nearest_.bound(); }
+  /// Whether it is one of those that rounding cannot tell from the nearest, of which there may be
+  /// several.
+  bool has_right_normal() const { return nearest_.error(manifold_->normal) <= nearest_.bound(); }
   /// How far the cores are apart, less the bound of that: at least so far they are.
   double distance() const;
 
