@@ -18,6 +18,7 @@ Run define_smoke(CLI::App& app);
 
 // In the program manifuzz-measure; null in those that are linked without its files.
 [[gnu::weak]] Run define_bench(CLI::App& app);
+[[gnu::weak]] Run define_conformance(CLI::App& app);
 [[gnu::weak]] Run define_digest(CLI::App& app);
 [[gnu::weak]] Run define_hunt(CLI::App& app);
 [[gnu::weak]] Run define_property(CLI::App& app);
@@ -94,6 +95,9 @@ std::span<const Command> commands() {
        "manifuzz scene --scene resting_pile --bodies 1000 --steps 20", define_scene},
       {"digest", "Hash every bit of a collider's answers, one hash per regime, to compare builds.",
        "manifuzz digest --collider batch --cases 1000", define_digest},
+      {"conformance",
+       "Write the conformance suite: cases with every right manifold, for checkers of ports.",
+       "manifuzz conformance --output build/cases.jsonl", define_conformance},
       {"report", "Write one HTML page about findings and measurements.",
        "manifuzz fuzz --seed 1 --cases 100000 --json run.json\n"
        "manifuzz report corpus run.json --output report.html",

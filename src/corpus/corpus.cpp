@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <iterator>
 #include <set>
 #include <system_error>
@@ -18,8 +19,17 @@ namespace fs = std::filesystem;
 constexpr std::string_view kEnding = ".json";
 constexpr std::string_view kWorstEnding = ".worst.json";
 
+/// By how its first line begins.
+bool is_conformance_suite(const fs::path& path) {
+  const std::string begin = fmt::format(R"({{"format":"{}")", kConformanceFormat);
+  std::string found(begin.size(), ' ');
+  std::ifstream(path).read(found.data(), static_cast<std::streamsize>(found.size()));
+  return found == begin;
+}
+
 bool holds_cases(const fs::path& path) {
   if (path.filename() == "subjects.json") return false;  // names colliders
+  if (path.extension() == ".jsonl" && is_conformance_suite(path)) return false;
   return path.extension() == ".json" || path.extension() == ".jsonl";
 }
 

@@ -84,6 +84,10 @@ struct CorpusCase {
 /// Whether the key "format" may be left out.
 enum class FormatKey { required, optional };
 
+/// The value of the key "format" in each line of a file of the conformance suite, which holds no
+/// cases to replay: whatever reads a corpus passes over it.
+inline constexpr std::string_view kConformanceFormat = "manifuzz/conformance/1";
+
 /// Reads one case, the white space around it is free. Throws UserError that begins with a JSON path
 /// or a line and column; callers put the file's name before it.
 CorpusCase parse_case(std::string_view text, FormatKey format_key, CaseKind kind = CaseKind::pair);

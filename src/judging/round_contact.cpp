@@ -229,10 +229,18 @@ double NearestNormal::error(const Vector2<double>& normal) const {
     return std::sqrt(dot(by, by).high);
   };
   double least = off(direction_);
-  if (least <= bound() || distance_ <= 2 * bound_of_separation_) return least;
+  if (least <= bound()) return least;
+  for (const Place& right : as_near()) least = std::min(least, off(right));
+  return least;
+}
+
+std::vector<Place> NearestNormal::as_near() const {
+  std::vector<Place> directions;
+  if (distance_ <= 2 * bound_of_separation_) return directions;
+  const exact::StoredPair& pair = truth_->stored();
   for (const FaceOf face : exact::all_faces(pair)) {
     if (is_as_near({pair, face}, distance_ - 2 * bound_of_separation_, bound_of_separation_)) {
-      least = std::min(least, off(unit_of(exact::outward_from_a<DoubleDouble>(pair, face))));
+      directions.push_back(unit_of(exact::outward_from_a<DoubleDouble>(pair, face)));
     }
   }
   for (int i = 0; i < pair.a.polygon.count; ++i) {
@@ -240,10 +248,21 @@ double NearestNormal::error(const Vector2<double>& normal) const {
       if (!are_as_near(pair, i, j, bound_of_separation_)) continue;
       const Place between = exact::vertex<DoubleDouble>(pair, Side::b, j) -
                             exact::vertex<DoubleDouble>(pair, Side::a, i);
-      least = std::min(least, off(unit_of(between)));
+      directions.push_back(unit_of(between));
     }
   }
-  return least;
+  return directions;
+}
+
+std::vector<Vector2<double>> NearestNormal::directions() const {
+  std::vector<Place> all = as_near();
+  all.insert(all.begin(), direction_);
+  std::vector<Vector2<double>> directions;
+  for (const Place& right : all) {
+    const Vector2<double> rounded(right.x.high, right.y.high);
+    if (std::ranges::find(directions, rounded) == directions.end()) directions.push_back(rounded);
+  }
+  return directions;
 }
 
 double NearestNormal::bound() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "judging/by_curve.hpp"
 
@@ -28,10 +29,16 @@ class NearestNormal {
   /// |n - n*|, the normal in A's frame; n* is also that of any face with a vertex in front of it,
   /// and of any two vertices, whose distance rounding cannot tell from the least.
   double error(const Vector2<double>& normal) const;
+  /// Each n* that `error` knows, unit, in the world, to the nearest double; each once. Only where a
+  /// normal may be near one.
+  std::vector<Vector2<double>> directions() const;
   /// How much of that is rounding.
   double bound() const;
 
  private:
+  /// The directions of faces and vertices that rounding cannot tell from the nearest.
+  std::vector<exact::Point<exact::DoubleDouble>> as_near() const;
+
   const exact::Truth* truth_;
   double bound_of_separation_;
   double bound_of_normal_;

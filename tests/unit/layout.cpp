@@ -44,6 +44,7 @@ const std::vector<Folder> kFolders = {
     {"properties", "properties", {"own code", "external"}},
     {"sequence", "sequence", {"own code", "external"}},
     {"corpus", "corpus", {"own code", "external"}},
+    {"conformance", "conformance", {"own code", "external"}},
     {"engines", "engines", {}},
     {"campaign", "campaign", {"own code"}},
     {"hunting", "campaign", {"own code"}},

@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+"""Holds a port of the article's clipping against cases.jsonl: check.py ANSWERS.jsonl, a line a case,
+or check.py -- COMMAND, a program that is asked. README.md beside it has the rules."""
+import argparse, json, math, re, struct, subprocess, sys
+from pathlib import Path
+
+
+def as_floats(value):
+    """Every number of a shape and its pose is a float; the file has its shortest decimals."""
+    if isinstance(value, (dict, list)):
+        return {k: as_floats(one) for k, one in value.items()} if isinstance(value, dict) else [as_floats(x) for x in value]
+    return value if isinstance(value, str) else struct.unpack("f", struct.pack("f", value))[0]
+
+
+def dot(p, q):
+    return p[0] * q[0] + p[1] * q[1]
+
+
+def cross(p, q):
+    return p[0] * q[1] - p[1] * q[0]
+
+
+def turn(r, v):  # R v
+    return [r[0] * v[0] - r[1] * v[1], r[1] * v[0] + r[0] * v[1]]
+
+
+def turn_back(r, v):  # R^T v
+    return [r[0] * v[0] + r[1] * v[1], r[0] * v[1] - r[1] * v[0]]
+
+
+def normals(corners):
+    lengths = [(v - y, x - u, math.dist((x, y), (u, v))) for (x, y), (u, v) in zip(corners, corners[1:] + corners[:1])]
+    return [[x / length, y / length] for x, y, length in lengths if length > 0]
+
+
+def read(case, answer):
+    """The answer's points, in A's frame, and its normal, in the world; a ValueError says what is wrong."""
+    def two(value, what):
+        if not (isinstance(value, list) and len(value) == 2 and all(
+                isinstance(x, (int, float)) and math.isfinite(x) for x in value)):
+            raise ValueError(f"{what} is not two finite numbers")
+        return value
+
+    points = answer["points"] if isinstance(answer, dict) and "points" in answer else None
+    if not isinstance(points, list) or len(points) > 2:
+        raise ValueError("an answer has 0 to 2 \"points\"")
+    position, rotation = case["a"]["position"], case["a"]["rotation"]
+    found, counts = [], [len(case[side]["vertices"]) for side in "ab"]
+    for point in points:
+        if not isinstance(point, dict) or ("local" not in point and "position" not in point):
+            raise ValueError("a point has neither \"position\" nor \"local\"")
+        depth, features = point.get("depth", answer.get("depth")), point.get("features")
+        if not (isinstance(depth, (int, float)) and 0 <= depth < math.inf):
+            raise ValueError("a depth is not a finite number of 0 or more")
+        if features and not all(re.fullmatch("[fv][0-7]", f) and int(f[1]) < n for f, n in zip(features, counts)):
+            raise ValueError("a feature is none of its polygon")
+        at = two(point["local"], "local") if "local" in point else [c / dot(rotation, rotation) for c in turn_back(
+            rotation, [x - p for x, p in zip(two(point["position"], "position"), position)])]
+        found.append((at, depth, features))
+    if answer.get("reference", "a") not in ("a", "b"):
+        raise ValueError("the reference is neither a nor b")
+    return found, two(answer.get("normal"), "normal") if points else None
+
+
+def why_no_clip(right, scalar, answer, points, normal):
+    """Why the answer is not this right manifold, or None. All figures are in A's frame."""
+    within, places = right[scalar], right["points"]
+    named = all(features for _, _, features in points)
+    if answer.get("reference", right["reference"]) != right["reference"]:
+        return "reference"
+    if not math.dist(normal, right["normal"]) <= within["normal"]:
+        return "normal"
+    near = [[k for k, place in enumerate(places) if math.dist(at, place["local"]) <= within["local"][k]
+             and abs(depth - place["depth"]) <= within["depth"][k]] for at, depth, _ in points]
+    for ks, (_, _, features) in zip(near, points):
+        if not ks:
+            return "position or depth of a point"
+        if named and all(k in within["features"] and features != places[k]["features"] for k in ks):
+            return "features"
+    return next((f"no point at {places[k]['local']}" for k in within["needed"]
+                 if not any(k in ks for ks in near)), None)
+
+
+def heights(shape, normal, side, low, high):
+    """The heights along the normal, least and most, of what of a core faces the other one from low to high."""
+    ends = [(cross(normal, v), dot(normal, v)) for v in shape]
+    seen = [y for x, y in ends if low <= x <= high] if len(set(x for x, _ in ends)) == 1 else []
+    for p, q in zip(ends, ends[1:] + ends[:1]):
+        (x, y), (u, v) = (p, q) if side == "a" else (q, p)
+        if u > x and max(x, low) <= min(u, high):
+            seen += [y + (v - y) * ((at - x) / (u - x)) for at in (max(x, low), min(u, high))]
+    return (min(seen), max(seen)) if seen else None
+
+
+def why_no_contact(case, scalar, points, normal):
+    """Why it is no right contact of round shapes, or None. All is seen from A's position, in the world."""
+    right, within, radii = case["round"], case["round"][scalar], [case[side]["radius"] for side in "ab"]
+    length = math.hypot(*normal)
+    if not abs(length - 1) <= within["unit"]:
+        return "length of the normal"
+    n = [normal[0] / length, normal[1] / length]
+    offset = [q - p for p, q in zip(case["a"]["position"], case["b"]["position"])]
+    a = [turn(case["a"]["rotation"], v) for v in case["a"]["vertices"]]
+    b = [[x + o for x, o in zip(turn(case["b"]["rotation"], v), offset)] for v in case["b"]["vertices"]]
+    along = max(dot(n, v) for v in a) - min(dot(n, v) for v in b)  # D(n) without the radii
+    excess, deepest = along + sum(radii) - right["least"], max(depth for _, depth, _ in points)
+    if not (any(math.dist(n, m) <= within["turn"] for m in within.get("nearest", []))
+            or abs(excess) <= within.get("excess", -1)):
+        return "normal"
+    if not (abs(deepest - right["least"]) <= within.get("depth", -1)
+            or "shortfall" in within and abs(deepest - along - sum(radii)) <= within["consistency"]):
+        return "depth"
+    at = [turn(case["a"]["rotation"], local) for local, _, _ in points]
+    for i, (p, (_, depth, _)) in enumerate(zip(at, points)):
+        place, height = cross(n, p), dot(n, p)
+        top, bottom = (heights(shape, n, side, place - within["along"], place + within["along"])
+                       for shape, side in ((a, "a"), (b, "b")))
+        least, most = (depth + sign * within["consistency"] - sum(radii) for sign in (-1, 1))
+        if i == [d for _, d, _ in points].index(deepest) and "shortfall" in within:
+            least = max(least, along - within["shortfall"])
+        on_a, on_b = ([h - within["across"], h + within["across"]] for h in (height - radii[0], height + radii[1]))
+        if not (top and bottom) or not any(
+                t[0] <= t[1] and s[0] <= s[1] and max(t[0] - s[1], least) <= min(t[1] - s[0], most)
+                for t, s in (((max(top[0], on_a[0]), min(top[1], on_a[1])), bottom),
+                             (top, (max(bottom[0], on_b[0]), min(bottom[1], on_b[1]))))):
+            return "a point is not where they overlap by its depth"
+    if not within["points"][0] <= len(points) <= within["points"][1]:
+        return f"{len(points)} points"
+    if len(points) == 2 and abs(cross(n, at[0]) - cross(n, at[1])) < within.get("span", 0):
+        return "the points span too little"
+    return None
+
+
+def why_wrong(case, answer, scalar):
+    """None where the answer is right."""
+    try:
+        points, normal = read(case, answer)
+    except (ValueError, TypeError) as error:
+        return f"malformed: {error}"
+    if not points:
+        return None if scalar in case["empty"] else "missed contact"
+    if "round" in case:
+        return why_no_contact(case, scalar, points, normal) if scalar in case["round"] else "phantom contact"
+    r = case["a"]["rotation"]
+    normal = [c / math.hypot(*r) for c in turn_back(r, normal)]
+    reasons = [why_no_clip(right, scalar, answer, points, normal) for right in case["right"] if scalar in right]
+    return None if None in reasons else reasons[0] if reasons else "phantom contact"
+
+
+def ask(command, cases):
+    """The lines of a program that is given the cases, their numbers with all digits."""
+    lines = [json.dumps({side: {**case[side], "normals": normals(case[side]["vertices"])} for side in "ab"})
+             for case in cases]
+    done = subprocess.run(command, input="\n".join(lines) + "\n", stdout=subprocess.PIPE, text=True)
+    return done.stdout.splitlines()
+
+
+def check(options):
+    path = Path(options.cases)
+    cases = [json.loads(line) for line in path.read_text().splitlines()]
+    for case in cases:
+        case.update({side: as_floats(case[side]) for side in "ab"})
+    lines = ask(options.command, cases) if options.command else Path(options.answers).read_text().splitlines()
+    answers = [json.loads(line) for line in lines if line.strip()]
+    declared = answers.pop(0)["declaration"] if answers and "declaration" in answers[0] else {}
+    for key, only in (("tie_bias", 0), ("claims", "manifold"), ("clips", True), ("points", "clip"), ("normal", "a_to_b")):
+        if declared.get(key, only) != only:
+            raise ValueError(f"declares {key} {declared[key]!r}; the suite is for {only!r}")
+    scalar = options.scalar or declared.get("scalar", "float32")
+    if len(answers) != len(cases):
+        raise ValueError(f"{len(answers)} answers; {len(cases)} are expected, a line a case")
+    wrong = unsupported = 0
+    for case, answer in zip(cases, answers):
+        is_asked = not (isinstance(answer, dict) and "unsupported" in answer)
+        why = why_wrong(case, answer, scalar) if is_asked else None
+        wrong, unsupported = wrong + (why is not None), unsupported + (not is_asked)
+        if options.each or (why and wrong <= 10):
+            print(f"{case['name']}: {why or ('right' if is_asked else 'unsupported')}")
+    print(f"{'fail' if wrong else 'pass'}: {wrong} of {len(cases)} wrong, {unsupported} unsupported, as {scalar}")
+    return 1 if wrong else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, usage="%(prog)s [options] ANSWERS.jsonl | -- COMMAND...")
+    parser.add_argument("answers", nargs="?", help="a manifold a line, in the order of the cases")
+    parser.add_argument("--cases", default=Path(__file__).with_name("cases.jsonl"), help="default: cases.jsonl beside this file")
+    parser.add_argument("--scalar", choices=("float32", "float64"), help="default: as declared, else float32")
+    parser.add_argument("--each", action="store_true", help="print a line for each case")
+    words = sys.argv[1:] + ["--"]
+    options = parser.parse_args(words[:words.index("--")])
+    options.command = words[words.index("--") + 1:-1]
+    if bool(options.answers) == bool(options.command):
+        parser.error("either a file of answers or, after --, a command is expected")
+    try:
+        return check(options)
+    except (OSError, ValueError) as error:
+        print(f"check.py: {error}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())
