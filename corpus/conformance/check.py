@@ -20,12 +20,27 @@ def cross(p, q):
     return p[0] * q[1] - p[1] * q[0]
 
 
+def off(p, q, low):
+    return math.hypot(p[0] - q[0] - low[0], p[1] - q[1] - low[1])
+
+
+def angle_chord(n, m):
+    """The distance of two directions on the unit circle, to the last digits where they are near; m is unit and
+    has its low parts behind it."""
+    by = [n[0] - m[0] - m[2], n[1] - m[1] - m[3]]
+    return 2 * math.sin(abs(math.atan2(cross(m, by), 1 + dot(m, by))) / 2)
+
+
 def turn(r, v):  # R v
     return [r[0] * v[0] - r[1] * v[1], r[1] * v[0] + r[0] * v[1]]
 
 
 def turn_back(r, v):  # R^T v
     return [r[0] * v[0] + r[1] * v[1], r[0] * v[1] - r[1] * v[0]]
+
+
+def in_frame_of_a(r, normal):
+    return [c / math.sqrt(dot(r, r)) for c in turn_back(r, normal)]
 
 
 def normals(corners):
@@ -68,10 +83,12 @@ def why_no_clip(right, scalar, answer, points, normal):
     named = all(features for _, _, features in points)
     if answer.get("reference", right["reference"]) != right["reference"]:
         return "reference"
-    if not math.dist(normal, right["normal"]) <= within["normal"]:
+    low = within.get("low", [0] * 8)  # what the figures lost where they were written as doubles
+    if not off(normal, right["normal"], low) <= within["normal"]:
         return "normal"
-    near = [[k for k, place in enumerate(places) if math.dist(at, place["local"]) <= within["local"][k]
-             and abs(depth - place["depth"]) <= within["depth"][k]] for at, depth, _ in points]
+    near = [[k for k, place in enumerate(places)
+             if off(at, place["local"], low[2 + 3 * k:]) <= within["local"][k]
+             and abs(depth - place["depth"] - low[4 + 3 * k]) <= within["depth"][k]] for at, depth, _ in points]
     for ks, (_, _, features) in zip(near, points):
         if not ks:
             return "position or depth of a point"
@@ -95,8 +112,9 @@ def heights(shape, normal, side, low, high):
 def why_no_contact(case, scalar, points, normal):
     """Why it is no right contact of round shapes, or None. All is seen from A's position, in the world."""
     right, within, radii = case["round"], case["round"][scalar], [case[side]["radius"] for side in "ab"]
-    length = math.hypot(*normal)
-    if not abs(length - 1) <= within["unit"]:
+    r = case["a"]["rotation"]
+    local, length = in_frame_of_a(r, normal), math.hypot(*normal)
+    if not abs(math.sqrt(dot(local, local)) - 1) <= within["unit"]:
         return "length of the normal"
     n = [normal[0] / length, normal[1] / length]
     offset = [q - p for p, q in zip(case["a"]["position"], case["b"]["position"])]
@@ -104,7 +122,7 @@ def why_no_contact(case, scalar, points, normal):
     b = [[x + o for x, o in zip(turn(case["b"]["rotation"], v), offset)] for v in case["b"]["vertices"]]
     along = max(dot(n, v) for v in a) - min(dot(n, v) for v in b)  # D(n) without the radii
     excess, deepest = along + sum(radii) - right["least"], max(depth for _, depth, _ in points)
-    if not (any(math.dist(n, m) <= within["turn"] for m in within.get("nearest", []))
+    if not (any(angle_chord(normal, m) <= within["turn"] for m in within.get("nearest", []))
             or abs(excess) <= within.get("excess", -1)):
         return "normal"
     if not (abs(deepest - right["least"]) <= within.get("depth", -1)
@@ -141,8 +159,7 @@ def why_wrong(case, answer, scalar):
         return None if scalar in case["empty"] else "missed contact"
     if "round" in case:
         return why_no_contact(case, scalar, points, normal) if scalar in case["round"] else "phantom contact"
-    r = case["a"]["rotation"]
-    normal = [c / math.hypot(*r) for c in turn_back(r, normal)]
+    normal = in_frame_of_a(case["a"]["rotation"], normal)
     reasons = [why_no_clip(right, scalar, answer, points, normal) for right in case["right"] if scalar in right]
     return None if None in reasons else reasons[0] if reasons else "phantom contact"
 
@@ -159,7 +176,7 @@ def check(options):
     path = Path(options.cases)
     cases = [json.loads(line) for line in path.read_text().splitlines()]
     for case in cases:
-        case.update({side: as_floats(case[side]) for side in "ab"})
+        case.update({side: as_floats({"position": [0, 0], "rotation": [1, 0], **case[side]}) for side in "ab"})
     lines = ask(options.command, cases) if options.command else Path(options.answers).read_text().splitlines()
     answers = [json.loads(line) for line in lines if line.strip()]
     declared = answers.pop(0)["declaration"] if answers and "declaration" in answers[0] else {}

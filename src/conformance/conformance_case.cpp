@@ -15,9 +15,14 @@ namespace {
 
 void append_body(std::string& out, const Body& body) {
   append_polygon(out, body.polygon);
-  out.back() = ',';
-  append_vector(out += " \"position\": ", body.pose.position);
-  append_vector(out += ", \"rotation\": ", body.pose.rotation);
+  out.pop_back();
+  const Pose<float> none;
+  if (body.pose.position != none.position) {
+    append_vector(out += ", \"position\": ", body.pose.position);
+  }
+  if (body.pose.rotation != none.rotation) {
+    append_vector(out += ", \"rotation\": ", body.pose.rotation);
+  }
   out += '}';
 }
 

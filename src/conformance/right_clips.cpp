@@ -1,6 +1,7 @@
 #include "conformance/right_clips.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <vector>
 
 #include "base/text.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 using exact::Clip;
 using exact::ClipPoint;
+using Fine = exact::Approximate<exact::DoubleDouble>;
 
 /// What is right in one scalar.
 struct InScalar {
@@ -44,25 +46,27 @@ bool is_candidate(const InScalar& in, const Clip& clip) {
 class ClipWriter {
  public:
   ClipWriter(std::string& out, const Clip& clip, std::vector<const ClipPoint*> points)
-      : out_(out), clip_(clip), points_(std::move(points)) {
+      : out_(out),
+        clip_(clip),
+        points_(std::move(points)),
+        normal_(exact::true_normal<Fine>(clip)) {
     for (const ClipPoint* const point : points_) {
-      const auto [position, depth] =
-          exact::locate<exact::Approximate<exact::DoubleDouble>>(clip, point->end);
-      places_.push_back({{leading(position.x.value), leading(position.y.value)},
-                         leading(depth.value),
-                         point->features});
+      places_.push_back(exact::locate<Fine>(clip, point->end));
     }
   }
 
   void append(const std::vector<InScalar>& scalars) {
     out_ += clip_.reference.side == Side::a ? R"({"reference": "a", "normal": )"
                                             : R"({"reference": "b", "normal": )";
-    append_vector(out_, exact::true_manifold(clip_).normal);
-    append_list("points", places_, [&](const ContactPoint<double>& place) {
-      append_vector(out_ += "{\"local\": ", place.position);
-      append_number(out_ += ", \"depth\": ", place.depth);
-      out_ += ", \"features\": [\"" + feature_name(place.features.a) + "\",\"" +
-              feature_name(place.features.b) + "\"]}";
+    append_vector(out_, Vector2<double>(leading(normal_.x.value), leading(normal_.y.value)));
+    append_list("points", std::views::iota(std::size_t{0}, points_.size()), [&](std::size_t i) {
+      const auto& [position, depth] = places_[i];
+      const FeaturePair& features = points_[i]->features;
+      append_vector(out_ += "{\"local\": ",
+                    Vector2<double>(leading(position.x.value), leading(position.y.value)));
+      append_number(out_ += ", \"depth\": ", leading(depth.value));
+      out_ += ", \"features\": [\"" + feature_name(features.a) + "\",\"" +
+              feature_name(features.b) + "\"]}";
     });
     for (const InScalar& in : scalars) {
       if (is_candidate(in, clip_)) append_bounds(in);
@@ -92,29 +96,38 @@ class ClipWriter {
 
   void append_bounds(const InScalar& in) {
     out_.append(", \"").append(scalar_key(in.scalar)) += "\": {\"normal\": ";
-    append_widened(out_, in.right.bounds.normal + lost_in_writing(1));
-    std::vector<double> positions;
-    std::vector<double> depths;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const double reach = places_[i].position.norm();
-      positions.push_back(position_bound(in.right, clip_, *points_[i]) + lost_in_writing(reach));
-      depths.push_back(depth_bound(in.right, clip_, *points_[i]) +
-                       lost_in_writing(places_[i].depth));
-    }
-    const auto append_one = [&](double bound) { append_widened(out_, bound); };
-    append_list("local", positions, append_one);
-    append_list("depth", depths, append_one);
+    append_widened(out_, in.right.bounds.normal);
+    append_list("local", points_, [&](const ClipPoint* point) {
+      append_widened(out_, position_bound(in.right, clip_, *point));
+    });
+    append_list("depth", points_, [&](const ClipPoint* point) {
+      append_widened(out_, depth_bound(in.right, clip_, *point));
+    });
     append_indices("needed", in, [](const auto& right, const auto& clip, const auto& point) {
       return !is_optional(right, clip, point);
     });
     append_indices("features", in, features_decided);
+    if (in.scalar == ScalarType::float64) append_lows();
     out_ += '}';
+  }
+
+  /// Of the normal, then of each place and depth.
+  void append_lows() {
+    append_low(out_ += ", \"low\": [", normal_.x.value);
+    append_low(out_ += ',', normal_.y.value);
+    for (const auto& [position, depth] : places_) {
+      for (const Fine& figure : {position.x, position.y, depth}) {
+        append_low(out_ += ',', figure.value);
+      }
+    }
+    out_ += ']';
   }
 
   std::string& out_;
   const Clip& clip_;
   std::vector<const ClipPoint*> points_;
-  std::vector<ContactPoint<double>> places_;
+  std::vector<exact::Located<Fine>> places_;
+  exact::Point<Fine> normal_;
 };
 
 }  // namespace

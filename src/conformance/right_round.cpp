@@ -67,8 +67,8 @@ class RoundInScalar {
   std::vector<Vector2<double>> right_normals() const {
     std::vector<Vector2<double>> middles = answer_.curve().minima(of_curve_.minimality);
     if (answer_.nearest().may_be_near()) {
-      for (const Vector2<double>& normal : answer_.nearest().directions()) {
-        middles.push_back(local_normal(truth_.pair(), normal));
+      for (const auto& [x, y] : answer_.nearest().directions()) {
+        middles.push_back(local_normal(truth_.pair(), {x.high, y.high}));
       }
     }
     std::vector<Vector2<double>> normals;
@@ -123,9 +123,8 @@ void append_key_of(std::string& out, std::string_view key) {
 
 void append_round(std::string& out, const exact::Truth& truth, const RoundInScalar& in,
                   const SecondOf& second) {
-  // What a checker in doubles loses on a length, and on a direction.
-  const double of_lengths = lost_in_writing(8 * (truth.extent() + total_radius(truth.pair())));
-  const double of_directions = lost_in_writing(8);
+  // What a checker in doubles loses on a length.
+  const double of_lengths = 0x1p-51 * (truth.extent() + total_radius(truth.pair()));
   const CurveBounds& within = in.within();
   const NearestNormal& nearest = in.answer().nearest();
   const auto append = [&](std::string_view key, double bound) {
@@ -133,16 +132,20 @@ void append_round(std::string& out, const exact::Truth& truth, const RoundInScal
     append_widened(out, bound);
   };
   out += '{';
-  append("unit", within.normal + of_directions);
+  append("unit", within.normal);
   if (nearest.may_be_near()) {
     append_key_of(out, "nearest");
     out += '[';
-    for (const Vector2<double>& normal : nearest.directions()) {
+    for (const auto& [x, y] : nearest.directions()) {
       if (out.back() != '[') out += ',';
-      append_vector(out, normal);
+      append_number(out += '[', x.high);
+      append_number(out += ',', y.high);
+      append_low(out += ',', x);
+      append_low(out += ',', y);
+      out += ']';
     }
     out += ']';
-    append("turn", nearest.bound() + of_directions);
+    append("turn", nearest.bound());
   }
   if (!nearest.must_be_near()) append("excess", within.minimality + of_lengths);
   if (in.may_be_apart()) append("depth", within.touching + of_lengths);

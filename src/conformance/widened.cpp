@@ -1,6 +1,5 @@
 #include "conformance/widened.hpp"
 
-#include <cmath>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -17,14 +16,23 @@ std::string_view scalar_key(ScalarType scalar) {
   return scalar == ScalarType::float32 ? "float32" : "float64";
 }
 
-void append_widened(std::string& out, double bound) {
-  constexpr double kHalfOfLastDigit = 5.1e-5;
-  const std::string five_digits = fmt::format("{:.4e}", bound * (1 + kHalfOfLastDigit));
-  append_number(out, std::strtod(five_digits.c_str(), nullptr));
+namespace {
+
+/// With so many digits behind the first.
+void append_rounded(std::string& out, double value, int digits) {
+  const std::string text = fmt::format("{:.{}e}", value, digits);
+  append_number(out, std::strtod(text.c_str(), nullptr));
 }
 
-double lost_in_writing(double figure) {
-  return 0x1p-52 * std::abs(figure);
+}  // namespace
+
+void append_widened(std::string& out, double bound) {
+  constexpr double kHalfOfLastDigit = 5.1e-5;
+  append_rounded(out, bound * (1 + kHalfOfLastDigit), 4);
+}
+
+void append_low(std::string& out, const exact::DoubleDouble& figure) {
+  append_rounded(out, figure.low, 2);
 }
 
 }  // namespace manifuzz

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "collider/collider.hpp"
+#include "exact/arithmetic.hpp"
 
 namespace manifuzz {
 
@@ -19,8 +20,8 @@ std::string_view scalar_key(ScalarType scalar);
 /// Appends a bound of five digits, rounded up.
 void append_widened(std::string& out, double bound);
 
-/// What a figure of that size loses where it is written as a double, and another one is subtracted
-/// from it.
-double lost_in_writing(double figure);
+/// Appends what a figure lost where it was written as a double: a checker that subtracts it too
+/// compares with the figure itself. To three digits.
+void append_low(std::string& out, const exact::DoubleDouble& figure);
 
 }  // namespace manifuzz

@@ -1,0 +1,172 @@
+#!/usr/bin/env node
+// Holds a port of the article's clipping against cases.jsonl: node check.mjs ANSWERS.jsonl, a line a
+// case, or node check.mjs -- COMMAND, a program that is asked. README.md beside it has the rules.
+import { spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+
+const dot = (p, q) => p[0] * q[0] + p[1] * q[1];
+const cross = (p, q) => p[0] * q[1] - p[1] * q[0];
+const minus = (p, q) => [p[0] - q[0], p[1] - q[1]];
+const lengthOf = (v) => Math.sqrt(dot(v, v));
+const off = (p, q, low) => lengthOf(minus(minus(p, q), low));
+const turn = ([c, s], [x, y]) => [c * x - s * y, s * x + c * y]; // R v
+const turnBack = ([c, s], [x, y]) => [c * x + s * y, c * y - s * x]; // R^T v
+const inFrameOfA = (r, normal) => turnBack(r, normal).map((x) => x / lengthOf(r));
+const lines = (text) => text.split("\n").filter((line) => line.trim());
+
+// Every number of a shape and its pose is a float; the file has its shortest decimals.
+const asFloats = (key, value) => (typeof value === "number" ? Math.fround(value) : value);
+
+// The answer's points, in A's frame, and its normal, in the world; throws what is wrong.
+function read({ a, b }, answer) {
+  const expect = (is, what) => { if (!is) throw new TypeError(what); };
+  const isTwo = (v) => Array.isArray(v) && v.length === 2 && v.every(Number.isFinite);
+  expect(Array.isArray(answer?.points) && answer.points.length <= 2, 'an answer has 0 to 2 "points"');
+  const counts = [a, b].map(({ vertices }) => vertices.length);
+  const points = answer.points.map((point) => {
+    const { local, position, depth = answer.depth, features } = point;
+    expect(isTwo(local ?? position), "a point has no place of two finite numbers");
+    expect(Number.isFinite(depth) && depth >= 0, "a depth is not a finite number of 0 or more");
+    expect(!features || features.every((f, i) => /^[fv][0-7]$/.test(f) && f[1] < counts[i]), "a feature is none of its polygon");
+    const r = a.rotation;
+    return { at: local ?? turnBack(r, minus(position, a.position)).map((x) => x / dot(r, r)), depth, features };
+  });
+  expect(["a", "b"].includes(answer.reference ?? "a"), "the reference is neither a nor b");
+  expect(!points.length || isTwo(answer.normal), "the normal is not two finite numbers");
+  return { points, normal: answer.normal };
+}
+
+// Why the answer is not this right manifold, or nothing. All figures are in A's frame.
+function whyNoClip(right, scalar, { reference = right.reference }, points, normal) {
+  const within = right[scalar];
+  const low = within.low ?? Array(8).fill(0); // what the figures lost where they were written as doubles
+  if (reference !== right.reference) return "reference";
+  if (!(off(normal, right.normal, low) <= within.normal)) return "normal";
+  const named = points.every(({ features }) => features);
+  const all = [...right.points.keys()];
+  const near = points.map(({ at, depth }) => all.filter((k) => off(at, right.points[k].local, low.slice(2 + 3 * k)) <= within.local[k]
+    && Math.abs(depth - right.points[k].depth - low[4 + 3 * k]) <= within.depth[k]));
+  const isOther = ({ features }, k) => within.features.includes(k) && features.join() !== right.points[k].features.join();
+  for (const [i, ks] of near.entries()) {
+    if (!ks.length) return "position or depth of a point";
+    if (named && ks.every((k) => isOther(points[i], k))) return "features";
+  }
+  const missing = within.needed.find((k) => !near.flat().includes(k));
+  if (missing !== undefined) return `no point at ${right.points[missing].local}`;
+}
+
+// The distance of two directions on the unit circle, to the last digits where they are near; m is unit and has
+// its low parts behind it.
+function angleChord(n, m) {
+  const by = minus(minus(n, m), m.slice(2));
+  return 2 * Math.sin(Math.abs(Math.atan2(cross(m, by), 1 + dot(m, by))) / 2);
+}
+
+// The heights along the normal, least and most, of what of a core faces the other one from low to high.
+function heights(shape, normal, side, low, high) {
+  const ends = shape.map((v) => [cross(normal, v), dot(normal, v)]);
+  const seen = new Set(ends.map(([x]) => x)).size > 1 ? [] : ends.filter(([x]) => low <= x && x <= high).map(([, y]) => y);
+  for (const [i, p] of ends.entries()) {
+    const q = ends[(i + 1) % ends.length];
+    const [[x, y], [u, v]] = side === "a" ? [p, q] : [q, p];
+    const [from, to] = [Math.max(x, low), Math.min(u, high)];
+    if (u > x && from <= to) seen.push(...[from, to].map((at) => y + (v - y) * ((at - x) / (u - x))));
+  }
+  return seen.length ? [Math.min(...seen), Math.max(...seen)] : null;
+}
+
+// Why it is no right contact of round shapes, or nothing. All is seen from A's position, in the world.
+function whyNoContact({ a, b, round: right }, scalar, points, normal) {
+  const within = right[scalar];
+  const length = lengthOf(normal);
+  if (!(Math.abs(lengthOf(inFrameOfA(a.rotation, normal)) - 1) <= within.unit)) return "length of the normal";
+  const n = normal.map((x) => x / length);
+  const offset = minus(a.position, b.position);
+  const cores = { a: a.vertices.map((v) => turn(a.rotation, v)), b: b.vertices.map((v) => minus(turn(b.rotation, v), offset)) };
+  const radii = a.radius + b.radius;
+  const along = Math.max(...cores.a.map((v) => dot(n, v))) - Math.min(...cores.b.map((v) => dot(n, v))); // D(n) without the radii
+  const excess = along + radii - right.least;
+  if (!within.nearest?.some((m) => angleChord(normal, m) <= within.turn) && !(Math.abs(excess) <= within.excess)) return "normal";
+  const depths = points.map(({ depth }) => depth);
+  const deepest = Math.max(...depths);
+  const isOfCurve = "shortfall" in within && Math.abs(deepest - along - radii) <= within.consistency;
+  if (!(Math.abs(deepest - right.least) <= within.depth) && !isOfCurve) return "depth";
+  const places = points.map(({ at }) => turn(a.rotation, at));
+  const isWitness = (p, i) => {
+    const [low, high] = [-within.along, within.along].map((x) => cross(n, p) + x);
+    const [top, bottom] = ["a", "b"].map((side) => heights(cores[side], n, side, low, high));
+    if (!top || !bottom) return false;
+    const shortfall = i === depths.indexOf(deepest) && "shortfall" in within ? along - within.shortfall : -Infinity;
+    const [least, most] = [Math.max(depths[i] - within.consistency - radii, shortfall), depths[i] + within.consistency - radii];
+    const narrowed = ([from, to], h) => [Math.max(from, h - within.across), Math.min(to, h + within.across)];
+    const isThere = (t, s) => t[0] <= t[1] && s[0] <= s[1] && Math.max(t[0] - s[1], least) <= Math.min(t[1] - s[0], most);
+    return isThere(narrowed(top, dot(n, p) - a.radius), bottom) || isThere(top, narrowed(bottom, dot(n, p) + b.radius));
+  };
+  if (!places.every(isWitness)) return "a point is not where they overlap by its depth";
+  if (points.length < within.points[0] || points.length > within.points[1]) return `${points.length} points`;
+  if (points.length === 2 && Math.abs(cross(n, minus(places[0], places[1]))) < within.span) return "the points span too little";
+}
+
+// Nothing where the answer is right.
+function whyWrong(given, answer, scalar) {
+  let points, normal;
+  try {
+    ({ points, normal } = read(given, answer));
+  } catch (error) {
+    return `malformed: ${error.message}`;
+  }
+  if (!points.length) return given.empty.includes(scalar) ? undefined : "missed contact";
+  if (given.round) return scalar in given.round ? whyNoContact(given, scalar, points, normal) : "phantom contact";
+  const local = inFrameOfA(given.a.rotation, normal);
+  const reasons = given.right.filter((right) => scalar in right).map((right) => whyNoClip(right, scalar, answer, points, local));
+  return reasons.includes(undefined) ? undefined : (reasons[0] ?? "phantom contact");
+}
+
+// The lines of a program that is given the cases, their numbers with all digits.
+function ask([program, ...words], cases) {
+  const normals = ({ vertices }) => vertices.map((v, i) => minus(vertices[(i + 1) % vertices.length], v))
+    .filter((edge) => Math.hypot(...edge) > 0).map((edge) => [edge[1] / Math.hypot(...edge), -edge[0] / Math.hypot(...edge)]);
+  const bodies = cases.map(({ a, b }) => JSON.stringify({ a: { ...a, normals: normals(a) }, b: { ...b, normals: normals(b) } }));
+  const { stdout, error } = spawnSync(program, words, { input: bodies.join("\n") + "\n", stdio: ["pipe", "pipe", "inherit"], maxBuffer: 1e9 });
+  if (error) throw error;
+  return stdout.toString();
+}
+
+function check(words) {
+  const [own, command] = words.includes("--") ? [words.slice(0, words.indexOf("--")), words.slice(words.indexOf("--") + 1)] : [words, []];
+  const taken = (option) => own.includes(option) ? own.splice(own.indexOf(option), 2)[1] : undefined;
+  const [file, asked] = [taken("--cases"), taken("--scalar")];
+  const each = own.includes("--each") && own.splice(own.indexOf("--each"), 1).length > 0;
+  if (own.length + (command.length > 0) !== 1) throw new Error("either a file of answers or -- COMMAND is expected; --cases FILE, --scalar float32|float64, --each");
+  const cases = lines(readFileSync(file ?? fileURLToPath(new URL("cases.jsonl", import.meta.url)), "utf8")).map((line) => {
+    const given = JSON.parse(line);
+    const bodyOf = (side) => ({ position: [0, 0], rotation: [1, 0], ...JSON.parse(JSON.stringify(given[side]), asFloats) });
+    return { ...given, a: bodyOf("a"), b: bodyOf("b") };
+  });
+  const answers = lines(command.length ? ask(command, cases) : readFileSync(own[0], "utf8")).map((line) => JSON.parse(line));
+  const declared = answers[0]?.declaration ? answers.shift().declaration : {};
+  for (const [key, only] of Object.entries({ tie_bias: 0, claims: "manifold", clips: true, points: "clip", normal: "a_to_b" })) {
+    if ((declared[key] ?? only) !== only) throw new Error(`declares ${key} ${declared[key]}; the suite is for ${only}`);
+  }
+  const scalar = asked ?? declared.scalar ?? "float32";
+  if (!["float32", "float64"].includes(scalar)) throw new Error(`scalar ${scalar}; float32 or float64 is expected`);
+  if (answers.length !== cases.length) throw new Error(`${answers.length} answers; ${cases.length} are expected, a line a case`);
+  let [wrong, unsupported] = [0, 0];
+  for (const [i, given] of cases.entries()) {
+    const isAsked = answers[i]?.unsupported === undefined;
+    const why = isAsked ? whyWrong(given, answers[i], scalar) : undefined;
+    wrong += why ? 1 : 0;
+    unsupported += isAsked ? 0 : 1;
+    if (each || (why && wrong <= 10)) console.log(`${given.name}: ${why ?? (isAsked ? "right" : "unsupported")}`);
+  }
+  console.log(`${wrong ? "fail" : "pass"}: ${wrong} of ${cases.length} wrong, ${unsupported} unsupported, as ${scalar}`);
+  return wrong ? 1 : 0;
+}
+
+try {
+  process.exitCode = check(process.argv.slice(2));
+} catch (error) {
+  console.error(`check.mjs: ${error.message}`);
+  process.exitCode = 2;
+}
