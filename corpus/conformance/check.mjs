@@ -123,36 +123,59 @@ function whyWrong(given, answer, scalar) {
   return reasons.includes(undefined) ? undefined : (reasons[0] ?? "phantom contact");
 }
 
-// The lines of a program that is given the cases, their numbers with all digits.
+// What a program says when it is given the cases, their numbers with all digits.
 function ask([program, ...words], cases) {
-  const normals = ({ vertices }) => vertices.map((v, i) => minus(vertices[(i + 1) % vertices.length], v))
-    .filter((edge) => Math.hypot(...edge) > 0).map((edge) => [edge[1] / Math.hypot(...edge), -edge[0] / Math.hypot(...edge)]);
+  const unit = ([x, y]) => [y, -x].map((c) => c / lengthOf([x, y]));
+  const normals = ({ vertices }) => vertices.length < 2 ? [] : vertices.map((v, i) => unit(minus(vertices[(i + 1) % vertices.length], v)));
   const bodies = cases.map(({ a, b }) => JSON.stringify({ a: { ...a, normals: normals(a) }, b: { ...b, normals: normals(b) } }));
   const { stdout, error } = spawnSync(program, words, { input: bodies.join("\n") + "\n", stdio: ["pipe", "pipe", "inherit"], maxBuffer: 1e9 });
-  if (error) throw error;
+  if (error && error.code !== "EPIPE") throw error;
   return stdout.toString();
+}
+
+// What a port declares, if it does, and its answers.
+function parse(text, name) {
+  const answers = text.split("\n").flatMap((line, i) => {
+    try {
+      return line.trim() ? [JSON.parse(line)] : [];
+    } catch (error) {
+      throw new Error(`${name}:${i + 1}: no JSON: ${error.message}`);
+    }
+  });
+  const declared = answers[0]?.declaration ? answers.shift().declaration : {};
+  const only = { tie_bias: [0], claims: ["manifold"], clips: [true], points: ["clip"], normal: ["a_to_b"], second_point: ["clip"], scalar: ["float32", "float64"] };
+  for (const [key, values] of Object.entries(only)) {
+    if (key in declared && !values.includes(declared[key])) throw new Error(`${name} declares ${key} ${JSON.stringify(declared[key])}; it is not what this suite is for`);
+  }
+  return { declared, answers };
+}
+
+// Whether a program is asked about the case: about round shapes only as it declares.
+function takes(declared, { a, b, round }) {
+  const isAll = "second_point" in declared;
+  const { vertices_min: least = isAll ? 1 : 3, takes_round: takesRound = isAll } = declared;
+  return !round || [a, b].every(({ vertices, radius, rounding }) =>
+    vertices.length >= least && (vertices.length < 3 || takesRound || (!rounding && radius === 0)));
 }
 
 function check(words) {
   const [own, command] = words.includes("--") ? [words.slice(0, words.indexOf("--")), words.slice(words.indexOf("--") + 1)] : [words, []];
   const taken = (option) => own.includes(option) ? own.splice(own.indexOf(option), 2)[1] : undefined;
-  const [file, asked] = [taken("--cases"), taken("--scalar")];
+  const [file, chosen] = [taken("--cases"), taken("--scalar")];
   const each = own.includes("--each") && own.splice(own.indexOf("--each"), 1).length > 0;
-  if (own.length + (command.length > 0) !== 1) throw new Error("either a file of answers or -- COMMAND is expected; --cases FILE, --scalar float32|float64, --each");
-  const cases = lines(readFileSync(file ?? fileURLToPath(new URL("cases.jsonl", import.meta.url)), "utf8")).map((line) => {
+  if (own.length + (command.length > 0) !== 1) throw new Error("either a file of answers or, after --, a command is expected; --cases FILE, --scalar float32|float64, --each");
+  const all = lines(readFileSync(file ?? fileURLToPath(new URL("cases.jsonl", import.meta.url)), "utf8")).map((line) => {
     const given = JSON.parse(line);
     const bodyOf = (side) => ({ position: [0, 0], rotation: [1, 0], ...JSON.parse(JSON.stringify(given[side]), asFloats) });
     return { ...given, a: bodyOf("a"), b: bodyOf("b") };
   });
-  const answers = lines(command.length ? ask(command, cases) : readFileSync(own[0], "utf8")).map((line) => JSON.parse(line));
-  const declared = answers[0]?.declaration ? answers.shift().declaration : {};
-  for (const [key, only] of Object.entries({ tie_bias: 0, claims: "manifold", clips: true, points: "clip", normal: "a_to_b" })) {
-    if ((declared[key] ?? only) !== only) throw new Error(`declares ${key} ${declared[key]}; the suite is for ${only}`);
-  }
-  const scalar = asked ?? declared.scalar ?? "float32";
-  if (!["float32", "float64"].includes(scalar)) throw new Error(`scalar ${scalar}; float32 or float64 is expected`);
+  const asked = command.length ? parse(ask(command, all.filter(({ round }) => !round).slice(0, 1)), command[0]) : null;
+  const cases = asked ? all.filter((given) => takes(asked.declared, given)) : all;
+  const { declared, answers } = parse(asked ? ask(command, cases) : readFileSync(own[0], "utf8"), command[0] ?? own[0]);
+  const scalar = chosen ?? declared.scalar ?? "float32";
+  if (!["float32", "float64"].includes(scalar)) throw new Error(`--scalar: ${scalar}; float32 or float64 is expected`);
   if (answers.length !== cases.length) throw new Error(`${answers.length} answers; ${cases.length} are expected, a line a case`);
-  let [wrong, unsupported] = [0, 0];
+  let [wrong, unsupported] = [0, all.length - cases.length];
   for (const [i, given] of cases.entries()) {
     const isAsked = answers[i]?.unsupported === undefined;
     const why = isAsked ? whyWrong(given, answers[i], scalar) : undefined;

@@ -165,24 +165,54 @@ def why_wrong(case, answer, scalar):
 
 
 def ask(command, cases):
-    """The lines of a program that is given the cases, their numbers with all digits."""
+    """What a program says when it is given the cases, their numbers with all digits."""
     lines = [json.dumps({side: {**case[side], "normals": normals(case[side]["vertices"])} for side in "ab"})
              for case in cases]
-    done = subprocess.run(command, input="\n".join(lines) + "\n", stdout=subprocess.PIPE, text=True)
-    return done.stdout.splitlines()
+    return subprocess.run(command, input="\n".join(lines) + "\n", stdout=subprocess.PIPE, text=True).stdout
+
+
+def parse(text, name):
+    """What a port declares, if it does, and its answers."""
+    answers = []
+    for number, line in enumerate(text.splitlines(), 1):
+        try:
+            answers += [json.loads(line)] if line.strip() else []
+        except ValueError as error:
+            raise ValueError(f"{name}:{number}: no JSON: {error}") from error
+    is_declared = answers and isinstance(answers[0], dict) and "declaration" in answers[0]
+    declared = answers.pop(0)["declaration"] if is_declared else {}
+    for key, only in {"tie_bias": 0, "claims": "manifold", "clips": True, "points": "clip", "normal": "a_to_b",
+                      "second_point": "clip", "scalar": declared.get("scalar", "float32")}.items():
+        if declared.get(key, only) != only or only not in (0, "manifold", True, "clip", "a_to_b", "float32", "float64"):
+            raise ValueError(f"{name} declares {key} {declared[key]!r}; it is not what this suite is for")
+    return declared, answers
+
+
+def takes(declared, case):
+    """Whether a program is asked about the case: about round shapes only as it declares."""
+    all_shapes = "second_point" in declared
+    takes_round = declared.get("takes_round", all_shapes)
+    return "round" not in case or all(
+        len(body["vertices"]) >= declared.get("vertices_min", 1 if all_shapes else 3)
+        and (len(body["vertices"]) < 3 or takes_round or ("rounding" not in body and body["radius"] == 0))
+        for body in (case["a"], case["b"]))
+
+
+def read_cases(path):
+    cases = [json.loads(line) for line in Path(path).read_text().splitlines()]
+    for case in cases:
+        case.update({side: as_floats({"position": [0, 0], "rotation": [1, 0], **case[side]}) for side in "ab"})
+    return cases
 
 
 def check(options):
-    path = Path(options.cases)
-    cases = [json.loads(line) for line in path.read_text().splitlines()]
-    for case in cases:
-        case.update({side: as_floats({"position": [0, 0], "rotation": [1, 0], **case[side]}) for side in "ab"})
-    lines = ask(options.command, cases) if options.command else Path(options.answers).read_text().splitlines()
-    answers = [json.loads(line) for line in lines if line.strip()]
-    declared = answers.pop(0)["declaration"] if answers and "declaration" in answers[0] else {}
-    for key, only in (("tie_bias", 0), ("claims", "manifold"), ("clips", True), ("points", "clip"), ("normal", "a_to_b")):
-        if declared.get(key, only) != only:
-            raise ValueError(f"declares {key} {declared[key]!r}; the suite is for {only!r}")
+    cases = read_cases(options.cases)
+    command, left = options.command, len(cases)
+    if command:
+        declared, _ = parse(ask(command, [case for case in cases if "round" not in case][:1]), command[0])
+        cases = [case for case in cases if takes(declared, case)]
+    text = ask(command, cases) if command else Path(options.answers).read_text()
+    declared, answers = parse(text, command[0] if command else options.answers)
     scalar = options.scalar or declared.get("scalar", "float32")
     if len(answers) != len(cases):
         raise ValueError(f"{len(answers)} answers; {len(cases)} are expected, a line a case")
@@ -193,7 +223,7 @@ def check(options):
         wrong, unsupported = wrong + (why is not None), unsupported + (not is_asked)
         if options.each or (why and wrong <= 10):
             print(f"{case['name']}: {why or ('right' if is_asked else 'unsupported')}")
-    print(f"{'fail' if wrong else 'pass'}: {wrong} of {len(cases)} wrong, {unsupported} unsupported, as {scalar}")
+    print(f"{'fail' if wrong else 'pass'}: {wrong} of {len(cases)} wrong, {unsupported + left - len(cases)} unsupported, as {scalar}")
     return 1 if wrong else 0
 
 
@@ -206,9 +236,9 @@ def main():
     words = sys.argv[1:] + ["--"]
     options = parser.parse_args(words[:words.index("--")])
     options.command = words[words.index("--") + 1:-1]
-    if bool(options.answers) == bool(options.command):
-        parser.error("either a file of answers or, after --, a command is expected")
     try:
+        if bool(options.answers) == bool(options.command):
+            raise ValueError("either a file of answers or, after --, a command is expected")
         return check(options)
     except (OSError, ValueError) as error:
         print(f"check.py: {error}", file=sys.stderr)

@@ -58,15 +58,24 @@ std::optional<PairCase> drawn_pair(std::string_view name) {
   return generate(*seed, *regime, *index);
 }
 
-/// The one folder's file of the corpus that shows a cause.
-fs::path witness_of(std::string_view cause, const fs::path& corpus) {
+/// The files of cases in a folder of the corpus and below; none where it has no such folder.
+std::vector<fs::path> files_in(const fs::path& folder) {
+  if (!fs::exists(folder)) return {};
   std::vector<std::string> errors;
+  const fs::path folders[] = {folder};
+  auto files = find_case_files(folders, errors);
+  if (!errors.empty()) throw UserError(errors.front());
+  return files;
+}
+
+/// The file of the corpus that shows a cause, in the folder of whichever engine.
+fs::path witness_of(std::string_view cause, const fs::path& corpus) {
   const fs::path file = fmt::format("{}{}.json", kWitness, cause);
-  const fs::path defects[] = {corpus / "defects"};
-  for (const fs::path& path : find_case_files(defects, errors)) {
+  for (const fs::path& path : files_in(corpus / "defects")) {
     if (path.filename() == file) return path;
   }
-  throw UserError(fmt::format("{}: no {} is there", printable_path(defects[0]), file.string()));
+  throw UserError(
+      fmt::format("{}: no {} is there", printable_path(corpus / "defects"), file.string()));
 }
 
 class Builder {
@@ -85,18 +94,14 @@ class Builder {
  private:
   void add_worst() {
     begin("worst");
-    std::vector<std::string> errors;
-    const fs::path folders[] = {plan_.corpus / "worst"};
-    for (const fs::path& path : find_case_files(folders, errors)) {
+    for (const fs::path& path : files_in(plan_.corpus / "worst")) {
       add(fmt::format("worst/{}/{}", path.parent_path().filename().string(), path.stem().string()));
     }
   }
 
   void add_witnesses() {
     begin("ledger");
-    std::vector<std::string> errors;
-    const fs::path folders[] = {plan_.corpus / "defects"};
-    for (const fs::path& path : find_case_files(folders, errors)) {
+    for (const fs::path& path : files_in(plan_.corpus / "defects")) {
       const std::string stem = path.stem().string();
       if (!stem.starts_with(kWitness)) continue;
       const CorpusCase witness = read_case_file(path.string(), CaseKind::either);
@@ -183,6 +188,9 @@ class Builder {
 }  // namespace
 
 Suite suite(const SuitePlan& plan, const std::function<void(std::size_t)>& progress) {
+  if (!fs::is_directory(plan.corpus)) {
+    throw UserError(printable_path(plan.corpus) + ": is no folder; that of a corpus is expected");
+  }
   return Builder(plan, progress).build();
 }
 

@@ -17,8 +17,8 @@
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
 
-// What ports with planted bugs answer to the conformance suite: `answers CASES FOLDER` writes a file
-// for each, `picks SEED CASES BUG...` finds drawn cases on which the exact judge blames them.
+// What ports with planted bugs answer to the conformance suite: `answers CASES FOLDER` writes a
+// file for each, `picks SEED CASES BUG...` finds drawn cases on which the exact judge blames them.
 
 namespace manifuzz::canary {
 namespace {
@@ -63,8 +63,7 @@ void add_port_of(const Bug& bug, const Collider& collider) {
 template <class Scalar>
 void add_batch(const Bug& bug, const std::string& variant,
                typename PlantedBatch<Scalar>::Collide collide) {
-  const auto scalar =
-      std::is_same_v<Scalar, float> ? ScalarType::float32 : ScalarType::float64;
+  const auto scalar = std::is_same_v<Scalar, float> ? ScalarType::float32 : ScalarType::float64;
   add_port(bug, variant, scalar, [collide](std::span<const PairCase> pairs) {
     std::vector<Placed<Scalar>> placed;
     for (const PairCase& pair : pairs) placed.push_back(clipping::placed_pair<Scalar>(pair));
