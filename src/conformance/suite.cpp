@@ -84,10 +84,12 @@ class Builder {
       : plan_(plan), progress_(progress) {}
 
   Suite build() {
+    picks_ = read_picks();
     add_worst();
     add_witnesses();
-    add_picks();
-    add_regimes();
+    add_regimes(plan_.cases - std::min(plan_.cases, picks_.size()));
+    begin("picks");
+    for (const std::string& name : picks_) add(name);
     return std::move(suite_);
   }
 
@@ -110,10 +112,10 @@ class Builder {
   }
 
   /// A name a line; what follows a # is a remark.
-  void add_picks() {
-    begin("picks");
+  std::vector<std::string> read_picks() const {
+    std::vector<std::string> names;
     const fs::path file = plan_.corpus / "conformance" / "picks.txt";
-    if (!fs::exists(file)) return;
+    if (!fs::exists(file)) return names;
     InputFile picks(file.string());
     LineReader lines(picks);
     while (const auto line = lines.next()) {
@@ -124,17 +126,19 @@ class Builder {
         throw UserError(fmt::format("{}:{}: \"{}\" names no case; REGIME/SEED/INDEX is expected",
                                     printable_path(file), line->number, printable(name)));
       }
-      add(std::string(name));
+      names.emplace_back(name);
     }
+    return names;
   }
 
-  void add_regimes() {
+  /// Until there are so many lines.
+  void add_regimes(std::size_t count) {
     std::vector<const Regime*> all;
     for (const Regime& regime : regimes()) {
       if (regime.name != "corpus") all.push_back(&regime);  // it needs a corpus to draw from
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const std::size_t missing = plan_.cases - std::min(plan_.cases, suite_.lines.size());
+      const std::size_t missing = count - std::min(count, suite_.lines.size());
       add_regime(*all[i], missing / (all.size() - i));
     }
   }
@@ -145,20 +149,21 @@ class Builder {
     const std::size_t until = suite_.lines.size() + count;
     std::vector<std::uint64_t> passed_over;
     for (std::uint64_t i = 0; i < kLookedAtForEach * count && suite_.lines.size() < until; ++i) {
+      if (std::ranges::count(picks_, drawn_name(regime, i)) > 0) continue;
       const Look look = look_at(generate(plan_.seed, regime, i));
       if (std::ranges::count(looks_, look) > 0) {
         passed_over.push_back(i);
       } else {
-        add_drawn(regime, i);
+        add(drawn_name(regime, i));
       }
     }
     for (const std::uint64_t i : passed_over) {
-      if (suite_.lines.size() < until) add_drawn(regime, i);
+      if (suite_.lines.size() < until) add(drawn_name(regime, i));
     }
   }
 
-  void add_drawn(const Regime& regime, std::uint64_t index) {
-    add(fmt::format("{}/{}/{}", regime.name, plan_.seed, index));
+  std::string drawn_name(const Regime& regime, std::uint64_t index) const {
+    return fmt::format("{}/{}/{}", regime.name, plan_.seed, index);
   }
 
   void begin(std::string_view source) { suite_.sources.push_back({std::string(source)}); }
@@ -181,6 +186,7 @@ class Builder {
   const SuitePlan& plan_;
   const std::function<void(std::size_t)>& progress_;
   Suite suite_;
+  std::vector<std::string> picks_;
   std::vector<PairCase> pairs_;
   std::vector<Look> looks_;
 };

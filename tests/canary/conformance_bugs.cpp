@@ -60,6 +60,33 @@ void add_port_of(const Bug& bug, const Collider& collider) {
            });
 }
 
+bool is_wrong(const PairCase& pair, ScalarType scalar, const Answer& answer) {
+  const Declaration declaration{.name = "port", .scalar = scalar};
+  const auto truth = std::make_shared<const exact::Truth>(pair);
+  return judge_alone(truth, {declaration, answer}).bucket.fault != Fault::none;
+}
+
+/// The article's own entry, which is given a normal and goes by farthest vertices: asked where that
+/// is right without the bug.
+void add_port_of_normals(const Bug& bug, const Collider& collider) {
+  const ScalarType scalar = collider.declaration.scalar;
+  add_port(bug, collider.declaration.name + "_of_normals", scalar,
+           [bug, collider, scalar](std::span<const PairCase> pairs) {
+             Answers answers;
+             for (const PairCase& pair : pairs) {
+               const Acting none(Bug{"", 0, ""});
+               const Answer usual = collider.collide(pair);
+               answers.push_back(usual);
+               const auto* const manifold = std::get_if<Manifold<double>>(&usual);
+               if (is_round(pair) || manifold == nullptr || manifold->count == 0) continue;
+               if (is_wrong(pair, scalar, collider.from_normal(pair, manifold->normal))) continue;
+               const Acting acting(bug);
+               answers.back() = collider.from_normal(pair, manifold->normal);
+             }
+             return answers;
+           });
+}
+
 template <class Scalar>
 void add_batch(const Bug& bug, const std::string& variant,
                typename PlantedBatch<Scalar>::Collide collide) {
@@ -82,14 +109,21 @@ void add_batch(const Bug& bug, const std::string& variant,
 
 bool add_colliders(const std::vector<Bug>& bugs, const MakeCollider& make) {
   for (const Bug& bug : bugs) {
-    add_port_of(bug, make(0));
-    add_port_of(bug, make(0).in_double());
+    for (const Collider& collider : {make(0), make(0).in_double()}) {
+      add_port_of(bug, collider);
+      if (!bug.is_round()) add_port_of_normals(bug, collider);
+    }
   }
   return true;
 }
 
 bool add_round_colliders(const std::vector<Bug>& bugs, const MakeCollider& make,
-                         MakeWithSecondPoint /*by_policies*/) {
+                         MakeWithSecondPoint make_with_second_point) {
+  for (const Bug& bug : bugs) {
+    Collider of_one_point = make_with_second_point(SecondPoint::never());
+    of_one_point.declaration.name = "clip_never";
+    add_port_of(bug, of_one_point);
+  }
   return add_colliders(bugs, make);
 }
 
@@ -160,12 +194,6 @@ void write_answers(const std::vector<PairCase>& pairs, const std::filesystem::pa
   }
 }
 
-bool is_wrong(const PairCase& pair, const Port& port, const Answer& answer) {
-  const Declaration declaration{.name = "port", .scalar = port.scalar};
-  const auto truth = std::make_shared<const exact::Truth>(pair);
-  return judge_alone(truth, {declaration, answer}).bucket.fault != Fault::none;
-}
-
 /// A few cases a bug, of the first port that shows it.
 void print_picks(std::uint64_t seed, std::uint64_t cases, const std::set<std::string>& bugs) {
   constexpr int kPicks = 2;
@@ -183,7 +211,8 @@ void print_picks(std::uint64_t seed, std::uint64_t cases, const std::set<std::st
         if (!bugs.contains(bug) || found[bug] >= kPicks) continue;
         const Answers answers = port.ask(pairs);
         for (std::uint64_t i = 0; i < kTogether && found[bug] < kPicks; ++i) {
-          if (!is_wrong(pairs[i], port, answers[i]) || !conformance_line("", pairs[i])) continue;
+          if (!is_wrong(pairs[i], port.scalar, answers[i]) || !conformance_line("", pairs[i]))
+            continue;
           ++found[bug];
           std::cout << regime.name << '/' << seed << '/' << first + i << "  # " << port.name()
                     << std::endl;
