@@ -5,6 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "base/text.hpp"
 #include "conformance/widened.hpp"
 #include "exchange/json.hpp"
@@ -20,8 +23,11 @@ struct SecondOf {
   bool is_required = false;
   double span = 0;  ///< that both points must have along the tangent, a world length
 
+  /// But for rounding of the spans.
   bool is_alike(const SecondOf& other) const {
-    return is_allowed == other.is_allowed && is_required == other.is_required;
+    constexpr double kRounding = 1e-3;
+    return is_allowed == other.is_allowed && is_required == other.is_required &&
+           std::abs(span - other.span) <= kRounding * std::max(span, other.span);
   }
 };
 
@@ -37,7 +43,6 @@ class RoundInScalar {
 
   const CurveAnswer& answer() const { return answer_; }
   const CurveBounds& within() const { return of_curve_; }
-  const Bounds& of_clip() const { return bounds_; }
   bool may_be_empty() const { return answer_.curve().compare_least(of_curve_.touching) <= 0; }
   bool may_touch() const { return answer_.curve().compare_least(-of_curve_.touching) >= 0; }
   bool may_be_apart() const {
@@ -82,12 +87,21 @@ class RoundInScalar {
 
   void add_turned(const Vector2<double>& middle, double way,
                   std::vector<Vector2<double>>& normals) const {
-    constexpr double kMost = 64;  // all but a quarter turn
-    for (double turn = of_curve_.normal / 8; turn < kMost; turn *= 1.25) {
+    constexpr double kMost = 64;   // all but a quarter turn
+    constexpr int kHalvings = 20;  // to where right ones end
+    const auto add = [&](double turn) {
       const Vector2<double> turned =
           unit_direction(middle + way * turn * counter_clockwise_quarter(middle));
-      if (!is_right(turned)) return;
+      if (!is_right(turned)) return false;
       normals.push_back(turned);
+      return true;
+    };
+    double right = 0;
+    double wrong = of_curve_.normal / 8;
+    for (; wrong < kMost && add(wrong); wrong *= 1.25) right = wrong;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double half = right + (wrong - right) / 2;
+      (add(half) ? right : wrong) = half;
     }
   }
 
@@ -121,6 +135,22 @@ void append_key_of(std::string& out, std::string_view key) {
   out.append("\"").append(key) += "\": ";
 }
 
+/// Each once, as two figures and what they lost where they were written.
+void append_directions(std::string& out,
+                       const std::vector<exact::Point<exact::DoubleDouble>>& directions) {
+  std::vector<std::string> texts;
+  for (const auto& [x, y] : directions) {
+    std::string text = "[";
+    append_number(text, x.high);
+    append_number(text += ',', y.high);
+    append_low(text += ',', x);
+    append_low(text += ',', y);
+    text += ']';
+    if (std::ranges::count(texts, text) == 0) texts.push_back(text);
+  }
+  out += fmt::format("[{}]", fmt::join(texts, ","));
+}
+
 void append_round(std::string& out, const exact::Truth& truth, const RoundInScalar& in,
                   const SecondOf& second) {
   // What a checker in doubles loses on a length.
@@ -135,16 +165,7 @@ void append_round(std::string& out, const exact::Truth& truth, const RoundInScal
   append("unit", within.normal);
   if (nearest.may_be_near()) {
     append_key_of(out, "nearest");
-    out += '[';
-    for (const auto& [x, y] : nearest.directions()) {
-      if (out.back() != '[') out += ',';
-      append_number(out += '[', x.high);
-      append_number(out += ',', y.high);
-      append_low(out += ',', x);
-      append_low(out += ',', y);
-      out += ']';
-    }
-    out += ']';
+    append_directions(out, nearest.directions());
     append("turn", nearest.bound());
   }
   if (!nearest.must_be_near()) append("excess", within.minimality + of_lengths);

@@ -33,8 +33,8 @@ struct Suite {
 
 /// The suite of that plan: the worst known cases, the witness of each cause of the ledger, the
 /// regimes, as many of each, those first that look like none before, and the picks
-/// (conformance/picks.txt of the corpus). Each pair is there once. `progress` gets the number of lines so far.
-/// Throws UserError.
+/// (conformance/picks.txt of the corpus). Each pair is there once. `progress` gets the number of
+/// lines so far. Throws UserError.
 Suite suite(const SuitePlan& plan, const std::function<void(std::size_t)>& progress);
 
 /// The pair of that name: `REGIME/SEED/INDEX`, `worst/COLLIDER/MEASURE` or `ledger/CAUSE`; none

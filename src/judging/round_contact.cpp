@@ -254,15 +254,10 @@ std::vector<Place> NearestNormal::as_near() const {
   return directions;
 }
 
-std::vector<exact::Point<DoubleDouble>> NearestNormal::directions() const {
-  std::vector<Place> directions{direction_};
-  for (const Place& right : as_near()) {
-    const auto is_same = [&](const Place& known) {
-      return known.x.high == right.x.high && known.y.high == right.y.high;
-    };
-    if (std::ranges::none_of(directions, is_same)) directions.push_back(right);
-  }
-  return directions;
+std::vector<Place> NearestNormal::directions() const {
+  std::vector<Place> all = as_near();
+  all.insert(all.begin(), direction_);
+  return all;
 }
 
 double NearestNormal::bound() const {

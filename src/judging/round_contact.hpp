@@ -29,8 +29,8 @@ class NearestNormal {
   /// |n - n*|, the normal in A's frame; n* is also that of any face with a vertex in front of it,
   /// and of any two vertices, whose distance rounding cannot tell from the least.
   double error(const Vector2<double>& normal) const;
-  /// Each n* that `error` knows, unit, in the world; each once, as far as doubles tell. Only where
-  /// a normal may be near one.
+  /// Each n* that `error` knows, unit, in the world, some of them twice. Only where a normal may be
+  /// near one.
   std::vector<exact::Point<exact::DoubleDouble>> directions() const;
   /// How much of that is rounding.
   double bound() const;
