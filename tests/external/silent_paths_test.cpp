@@ -226,6 +226,7 @@ const std::map<std::string_view, std::string_view> kNoPath{
     {"accept", "it marks findings of others"},
     {"bench", "it measures; its referee is held in unit/measure"},
     {"collide", "it prints answers"},
+    {"conformance", "it asks no collider; the checkers of its cases are held against the judge"},
     {"digest", "it hashes answers; other hashes are everywhere/check's to tell"},
     {"generate", "it asks nobody"},
     {"list", "it asks nobody"},
