@@ -28,9 +28,11 @@ function read({ a, b }, answer) {
     const { local, position, depth = answer.depth, features } = point;
     expect(isTwo(local ?? position), "a point has no place of two finite numbers");
     expect(Number.isFinite(depth) && depth >= 0, "a depth is not a finite number of 0 or more");
-    expect(!features || features.every((f, i) => /^[fv][0-7]$/.test(f) && f[1] < counts[i]), "a feature is none of its polygon");
+    const isOfPolygon = (f, i) => /^[fv][0-7]$/.test(f) && f[1] < counts[i];
+    expect(!features || features.every(isOfPolygon), "a feature is none of its polygon");
     const r = a.rotation;
-    return { at: local ?? turnBack(r, minus(position, a.position)).map((x) => x / dot(r, r)), depth, features };
+    const at = local ?? turnBack(r, minus(position, a.position)).map((x) => x / dot(r, r));
+    return { at, depth, features };
   });
   expect(["a", "b"].includes(answer.reference ?? "a"), "the reference is neither a nor b");
   expect(!points.length || isTwo(answer.normal), "the normal is not two finite numbers");
@@ -44,10 +46,11 @@ function whyNoClip(right, scalar, { reference = right.reference }, points, norma
   if (reference !== right.reference) return "reference";
   if (!(off(normal, right.normal, low) <= within.normal)) return "normal";
   const named = points.every(({ features }) => features);
-  const all = [...right.points.keys()];
-  const near = points.map(({ at, depth }) => all.filter((k) => off(at, right.points[k].local, low.slice(2 + 3 * k)) <= within.local[k]
-    && Math.abs(depth - right.points[k].depth - low[4 + 3 * k]) <= within.depth[k]));
-  const isOther = ({ features }, k) => within.features.includes(k) && features.join() !== right.points[k].features.join();
+  const isNear = ({ at, depth }, k) => off(at, right.points[k].local, low.slice(2 + 3 * k)) <= within.local[k]
+    && Math.abs(depth - right.points[k].depth - low[4 + 3 * k]) <= within.depth[k];
+  const near = points.map((point) => [...right.points.keys()].filter((k) => isNear(point, k)));
+  const isOther = ({ features }, k) => within.features.includes(k)
+    && features.join() !== right.points[k].features.join();
   for (const [i, ks] of near.entries()) {
     if (!ks.length) return "position or depth of a point";
     if (named && ks.every((k) => isOther(points[i], k))) return "features";
@@ -66,7 +69,8 @@ function angleChord(n, m) {
 // The heights along the normal, least and most, of what of a core faces the other one from low to high.
 function heights(shape, normal, side, low, high) {
   const ends = shape.map((v) => [cross(normal, v), dot(normal, v)]);
-  const seen = new Set(ends.map(([x]) => x)).size > 1 ? [] : ends.filter(([x]) => low <= x && x <= high).map(([, y]) => y);
+  const isAcross = ends.every(([x]) => x === ends[0][0] && low <= x && x <= high); // a point, or seen as one
+  const seen = isAcross ? ends.map(([, y]) => y) : [];
   for (const [i, p] of ends.entries()) {
     const q = ends[(i + 1) % ends.length];
     const [[x, y], [u, v]] = side === "a" ? [p, q] : [q, p];
@@ -83,11 +87,16 @@ function whyNoContact({ a, b, round: right }, scalar, points, normal) {
   if (!(Math.abs(lengthOf(inFrameOfA(a.rotation, normal)) - 1) <= within.unit)) return "length of the normal";
   const n = normal.map((x) => x / length);
   const offset = minus(a.position, b.position);
-  const cores = { a: a.vertices.map((v) => turn(a.rotation, v)), b: b.vertices.map((v) => minus(turn(b.rotation, v), offset)) };
+  const cores = {
+    a: a.vertices.map((v) => turn(a.rotation, v)),
+    b: b.vertices.map((v) => minus(turn(b.rotation, v), offset)),
+  };
   const radii = a.radius + b.radius;
-  const along = Math.max(...cores.a.map((v) => dot(n, v))) - Math.min(...cores.b.map((v) => dot(n, v))); // D(n) without the radii
+  const [ofA, ofB] = [cores.a, cores.b].map((core) => core.map((v) => dot(n, v)));
+  const along = Math.max(...ofA) - Math.min(...ofB); // D(n) without the radii
   const excess = along + radii - right.least;
-  if (!within.nearest?.some((m) => angleChord(normal, m) <= within.turn) && !(Math.abs(excess) <= within.excess)) return "normal";
+  const isNearest = within.nearest?.some((m) => angleChord(normal, m) <= within.turn);
+  if (!isNearest && !(Math.abs(excess) <= within.excess)) return "normal";
   const depths = points.map(({ depth }) => depth);
   const deepest = Math.max(...depths);
   const isOfCurve = "shortfall" in within && Math.abs(deepest - along - radii) <= within.consistency;
@@ -97,15 +106,19 @@ function whyNoContact({ a, b, round: right }, scalar, points, normal) {
     const [low, high] = [-within.along, within.along].map((x) => cross(n, p) + x);
     const [top, bottom] = ["a", "b"].map((side) => heights(cores[side], n, side, low, high));
     if (!top || !bottom) return false;
-    const shortfall = i === depths.indexOf(deepest) && "shortfall" in within ? along - within.shortfall : -Infinity;
-    const [least, most] = [Math.max(depths[i] - within.consistency - radii, shortfall), depths[i] + within.consistency - radii];
+    const isDeepest = i === depths.indexOf(deepest) && "shortfall" in within;
+    const [least, most] = [-within.consistency, within.consistency].map((x) => depths[i] + x - radii);
+    const atLeast = isDeepest ? Math.max(least, along - within.shortfall) : least;
     const narrowed = ([from, to], h) => [Math.max(from, h - within.across), Math.min(to, h + within.across)];
-    const isThere = (t, s) => t[0] <= t[1] && s[0] <= s[1] && Math.max(t[0] - s[1], least) <= Math.min(t[1] - s[0], most);
-    return isThere(narrowed(top, dot(n, p) - a.radius), bottom) || isThere(top, narrowed(bottom, dot(n, p) + b.radius));
+    const isThere = (t, s) => t[0] <= t[1] && s[0] <= s[1]
+      && Math.max(t[0] - s[1], atLeast) <= Math.min(t[1] - s[0], most);
+    const height = dot(n, p);
+    return isThere(narrowed(top, height - a.radius), bottom) || isThere(top, narrowed(bottom, height + b.radius));
   };
   if (!places.every(isWitness)) return "a point is not where they overlap by its depth";
   if (points.length < within.points[0] || points.length > within.points[1]) return `${points.length} points`;
-  if (points.length === 2 && Math.abs(cross(n, minus(places[0], places[1]))) < within.span) return "the points span too little";
+  const spanned = points.length === 2 ? Math.abs(cross(n, minus(places[0], places[1]))) : Infinity;
+  if (spanned < within.span) return "the points span too little";
 }
 
 // Nothing where the answer is right.
@@ -117,18 +130,24 @@ function whyWrong(given, answer, scalar) {
     return `malformed: ${error.message}`;
   }
   if (!points.length) return given.empty.includes(scalar) ? undefined : "missed contact";
-  if (given.round) return scalar in given.round ? whyNoContact(given, scalar, points, normal) : "phantom contact";
+  if (given.round && !(scalar in given.round)) return "phantom contact";
+  if (given.round) return whyNoContact(given, scalar, points, normal);
   const local = inFrameOfA(given.a.rotation, normal);
-  const reasons = given.right.filter((right) => scalar in right).map((right) => whyNoClip(right, scalar, answer, points, local));
+  const reasons = given.right.filter((right) => scalar in right)
+    .map((right) => whyNoClip(right, scalar, answer, points, local));
   return reasons.includes(undefined) ? undefined : (reasons[0] ?? "phantom contact");
 }
 
 // What a program says when it is given the cases, their numbers with all digits.
 function ask([program, ...words], cases) {
   const unit = ([x, y]) => [y, -x].map((c) => c / lengthOf([x, y]));
-  const normals = ({ vertices }) => vertices.length < 2 ? [] : vertices.map((v, i) => unit(minus(vertices[(i + 1) % vertices.length], v)));
-  const bodies = cases.map(({ a, b }) => JSON.stringify({ a: { ...a, normals: normals(a) }, b: { ...b, normals: normals(b) } }));
-  const { stdout, error } = spawnSync(program, words, { input: bodies.join("\n") + "\n", stdio: ["pipe", "pipe", "inherit"], maxBuffer: 1e9 });
+  const withNormals = (body) => {
+    const edges = body.vertices.map((v, i, all) => minus(all[(i + 1) % all.length], v));
+    return { ...body, normals: edges.length > 1 ? edges.map(unit) : [] };
+  };
+  const input = cases.map(({ a, b }) => JSON.stringify({ a: withNormals(a), b: withNormals(b) }) + "\n").join("");
+  const stdio = ["pipe", "pipe", "inherit"];
+  const { stdout, error } = spawnSync(program, words, { input, stdio, maxBuffer: 1e9 });
   if (error && error.code !== "EPIPE") throw error;
   return stdout.toString();
 }
@@ -143,9 +162,11 @@ function parse(text, name) {
     }
   });
   const declared = answers[0]?.declaration ? answers.shift().declaration : {};
-  const only = { tie_bias: [0], claims: ["manifold"], clips: [true], points: ["clip"], normal: ["a_to_b"], second_point: ["clip", "never"], scalar: ["float32", "float64"] };
-  for (const [key, values] of Object.entries(only)) {
-    if (key in declared && !values.includes(declared[key])) throw new Error(`${name} declares ${key} ${JSON.stringify(declared[key])}; it is not what this suite is for`);
+  const only = { tie_bias: [0], claims: ["manifold"], clips: [true], points: ["clip"], normal: ["a_to_b"],
+    second_point: ["clip", "never"], scalar: ["float32", "float64"] };
+  for (const [key, value] of Object.entries(declared)) {
+    if (only[key]?.includes(value) ?? true) continue;
+    throw new Error(`${name} declares ${key} ${JSON.stringify(value)}; it is not what this suite is for`);
   }
   return { declared, answers };
 }
@@ -159,26 +180,34 @@ function takes(declared, { a, b, round }) {
 }
 
 function check(words) {
-  const [own, command] = words.includes("--") ? [words.slice(0, words.indexOf("--")), words.slice(words.indexOf("--") + 1)] : [words, []];
+  const end = [...words, "--"].indexOf("--");
+  const [own, command] = [words.slice(0, end), words.slice(end + 1)];
   const taken = (option) => own.includes(option) ? own.splice(own.indexOf(option), 2)[1] : undefined;
   const [file, chosen] = [taken("--cases"), taken("--scalar")];
   const each = own.includes("--each") && own.splice(own.indexOf("--each"), 1).length > 0;
-  if (own.length + (command.length > 0) !== 1) throw new Error("either a file of answers or, after --, a command is expected; --cases FILE, --scalar float32|float64, --each");
-  const all = lines(readFileSync(file ?? fileURLToPath(new URL("cases.jsonl", import.meta.url)), "utf8")).map((line) => {
-    const given = JSON.parse(line);
-    const bodyOf = (side) => ({ position: [0, 0], rotation: [1, 0], ...JSON.parse(JSON.stringify(given[side]), asFloats) });
-    return { ...given, a: bodyOf("a"), b: bodyOf("b") };
+  if (own.length + (command.length > 0) !== 1) {
+    throw new Error("either a file of answers or, after --, a command is expected; "
+      + "--cases FILE, --scalar float32|float64, --each");
+  }
+  const suite = file ?? fileURLToPath(new URL("cases.jsonl", import.meta.url));
+  const all = lines(readFileSync(suite, "utf8")).map((line) => {
+    const { a, b, ...rest } = JSON.parse(line);
+    const placed = (body) => ({ position: [0, 0], rotation: [1, 0], ...JSON.parse(JSON.stringify(body), asFloats) });
+    return { ...rest, a: placed(a), b: placed(b) };
   });
-  const asked = command.length ? parse(ask(command, all.filter(({ round }) => !round).slice(0, 1)), command[0]) : null;
+  const first = all.filter(({ round }) => !round).slice(0, 1);
+  const asked = command.length ? parse(ask(command, first), command[0]) : null;
   const cases = asked ? all.filter((given) => takes(asked.declared, given)) : all;
   const { declared, answers } = parse(asked ? ask(command, cases) : readFileSync(own[0], "utf8"), command[0] ?? own[0]);
   const scalar = chosen ?? declared.scalar ?? "float32";
-  if (!["float32", "float64"].includes(scalar)) throw new Error(`--scalar: ${scalar}; float32 or float64 is expected`);
+  if (!/^float(32|64)$/.test(scalar)) throw new Error(`--scalar: ${scalar}; float32 or float64 is expected`);
   const isNever = declared.second_point === "never"; // one point of round shapes
   for (const { round } of isNever ? cases : []) {
     for (const within of [round?.float32, round?.float64]) Object.assign(within ?? {}, { points: [1, 1], span: 0 });
   }
-  if (answers.length !== cases.length) throw new Error(`${answers.length} answers; ${cases.length} are expected, a line a case`);
+  if (answers.length !== cases.length) {
+    throw new Error(`${answers.length} answers; ${cases.length} are expected, a line a case`);
+  }
   let [wrong, unsupported] = [0, all.length - cases.length];
   for (const [i, given] of cases.entries()) {
     const isAsked = answers[i]?.unsupported === undefined;
