@@ -76,8 +76,9 @@ TEST_CASE("a round begins with what all shares of the one before have found") {
   }
   const std::vector<ArchivedCase> best = read_rounds_before(archives, 1);
   Archive all;
-  Elite elite({});
-  for (const ArchivedCase& one : best) add_to(all, elite, one, {});
+  const Aim aim = aim_at({});
+  Elite elite(aim);
+  for (const ArchivedCase& one : best) add_to(all, elite, one, aim);
   CHECK(all.cell_count() > most);
   CHECK(run_share(archives, {1, 0}, 2).cells > all.cell_count());
 }
