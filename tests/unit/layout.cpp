@@ -13,17 +13,15 @@
 namespace manifuzz::test {
 namespace {
 
-/// A folder of the layout: it may include itself and every folder that stands before it in the
-/// list, but for the groups that are hidden from it.
+/// A folder: it may include itself and what stands before it in the list, but no hidden group.
 struct Folder {
   std::string_view name;
   std::string_view group;
   std::vector<std::string_view> hidden;
 };
 
-/// The library stands alone, since it is installed alone. What carries cases and what judges
-/// answers knows our code and the engines by the collider's interface only: shared code shares
-/// bugs.
+/// The library is installed alone. What carries cases and what judges answers knows our code and
+/// the engines by the collider's interface only: shared code shares bugs.
 const std::vector<Folder> kFolders = {
     {"base", "tools", {}},
     {"process", "tools", {}},
