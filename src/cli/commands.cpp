@@ -7,6 +7,7 @@ Run define_accept(CLI::App& app);
 Run define_collide(CLI::App& app);
 Run define_fuzz(CLI::App& app);
 Run define_generate(CLI::App& app);
+Run define_init(CLI::App& app);
 Run define_judge(CLI::App& app);
 Run define_list(CLI::App& app);
 Run define_replay(CLI::App& app);
@@ -51,6 +52,10 @@ std::span<const Command> commands() {
        "Replay the corpus, test properties and run a campaign, in at most 20 s; meant for CI.",
        "manifuzz smoke --subject clip --oracle box2d --seed 1 --no-save --junit smoke.xml",
        define_smoke},
+      {"init",
+       "Begin with a collider of your own: write subjects.json, a workflow for CI, a first corpus "
+       "that CI passes and, where no collider is named, one to edit.",
+       "manifuzz init mine --cases 2000", define_init},
       {"collide",
        "Read cases; print the collider's manifolds, one JSON line a case (or frame, for "
        "sequences).",

@@ -4,7 +4,7 @@
 
 namespace manifuzz {
 
-// What embed.cmake makes of the files that texts.txt lists.
+// What src/embed.cmake makes of the files that texts.txt lists.
 
 /// What glossary.hpp gives: "word: meaning", a line each.
 extern const std::string_view kGlossary;

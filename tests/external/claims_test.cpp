@@ -210,14 +210,9 @@ TEST_CASE("what a library may claim is checked") {
   }
 }
 
-TEST_CASE("the minimum translation of the README is right, and judged as such") {
+TEST_CASE("the minimum translation in JavaScript is right, and judged as such") {
   if (std::system("command -v node > /dev/null") != 0) return skip("there is no node");
-  const std::string readme = text_of(source_dir() / "src/external/README.md");
-  const std::size_t begin = readme.find("```js\n") + 6;
-  REQUIRE(begin > 6);
-  const TemporaryFolder folder;
-  const std::string file =
-      folder.write("translation.cjs", readme.substr(begin, readme.find("```", begin) - begin));
+  const std::string file = (source_dir() / "scripts/colliders/js/translation.cjs").string();
   const Collider translation = collider_of_command("node " + file, 10 * kSecondsMax);
   CHECK(translation.declaration.claims == Claims::separation);
   CHECK(run(plan_of(translation)).tally->unexplained() == 0);

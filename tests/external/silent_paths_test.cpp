@@ -176,6 +176,11 @@ const std::vector<Path>& paths() {
                         b.corpus()});
        },
        1, "<failure", "run.xml"},
+      {"init", "what it accepts",
+       [](const Bench& b) {
+         return ask(b, {{"init", b.in("begun"), "--cases", "500"}, b.subject()});
+       },
+       0, "wrong in "},
       {"smoke", "the subject",
        [](const Bench& b) {
          return ask(

@@ -1,4 +1,4 @@
-"""The article's clipping for manifuzz: `manifuzz fuzz --subject-command "python3 clip.py"`.
+"""The article's clipping for manifuzz: `manifuzz fuzz --subject-command "python3 FILE"`.
 
 Reads case lines from stdin, writes its declaration and then an answer a line to stdout."""
 import json

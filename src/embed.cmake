@@ -1,5 +1,5 @@
-# cmake -DFOLDER=<where texts.txt lies> -DOUTPUT=<file.cpp> -P embed.cmake
-# Writes the files that texts.txt lists, each behind its constant's name, as the string_views that texts.hpp declares;
+# cmake -DFOLDER=<where texts.txt lies> -DHEADER=<from src/> -DOUTPUT=<file.cpp> -P embed.cmake
+# Writes the files that texts.txt lists, each behind its constant's name, as the string_views that the header declares;
 # files of one constant follow each other. As single characters, since a compiler need not take a string literal of
 # more than 65,536 bytes.
 file(STRINGS ${FOLDER}/texts.txt lines)
@@ -14,7 +14,7 @@ foreach(line IN LISTS lines)
 endforeach()
 list(REMOVE_DUPLICATES constants)
 
-set(text "#include \"report/texts.hpp\"\n\nnamespace manifuzz {\n")
+set(text "#include \"${HEADER}\"\n\nnamespace manifuzz {\n")
 foreach(constant IN LISTS constants)
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," characters "${${constant}}")
   string(REGEX REPLACE "('.x0a',)" "\\1\n" characters "${characters}")
