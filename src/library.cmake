@@ -98,16 +98,19 @@ function(manifuzz_lay_out_by_hand)
     COMPILE_OPTIONS -fno-tree-vectorize SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# manifuzz_install(name...): these libraries, their headers, and the CMake package.
+# manifuzz_install(name...): these libraries, their headers, the CMake package and a file for pkg-config
+# each, as the component library; the licence is a component of its own, since packages have it elsewhere.
 function(manifuzz_install)
   set(package ${CMAKE_INSTALL_LIBDIR}/cmake/manifuzz)
   list(TRANSFORM ARGV PREPEND manifuzz_ OUTPUT_VARIABLE targets)
-  install(TARGETS ${targets} EXPORT manifuzzTargets FILE_SET HEADERS
+  install(TARGETS ${targets} EXPORT manifuzzTargets
+    ARCHIVE COMPONENT library
+    FILE_SET HEADERS COMPONENT library
     INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(EXPORT manifuzzTargets NAMESPACE manifuzz:: DESTINATION ${package})
+  install(EXPORT manifuzzTargets NAMESPACE manifuzz:: DESTINATION ${package} COMPONENT library)
   write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/manifuzzConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
   install(FILES manifuzzConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/manifuzzConfigVersion.cmake
-    DESTINATION ${package})
-  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+    DESTINATION ${package} COMPONENT library)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 endfunction()

@@ -5,6 +5,7 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,11 +18,11 @@
 #include "base/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
+#include "cli/pages/pages.hpp"
 #include "engines/colliders.hpp"
 #include "process/child.hpp"
 #include "process/signals.hpp"
 #include "process/standard_streams.hpp"
-#include "report/glossary.hpp"
 #include "report/outputs.hpp"
 
 namespace manifuzz {
@@ -32,9 +33,19 @@ constexpr int kBadUsage = 2;
 /// What a command may still ask anybody, once a signal came; it ends within 2 s.
 constexpr double kSecondsAfterSignal = 1.2;
 
+/// What stands behind --help, where it is a page.
+std::optional<std::string_view> asked_page(std::span<char* const> arguments) {
+  if (arguments.size() != 3 || arguments[1] != std::string_view("--help")) return std::nullopt;
+  return is_page(arguments[2]) ? std::optional<std::string_view>(arguments[2]) : std::nullopt;
+}
+
 /// The command that the arguments name, where it is none of this program's: the first word, since
-/// no option before it takes one.
+/// no option before it takes one. Pages of all options need all commands.
 const Command* command_elsewhere(std::span<char* const> arguments) {
+  if (const auto name = asked_page(arguments)) {
+    const auto missing = std::ranges::find(commands(), nullptr, &Command::define);
+    return has_all_options(*name) && missing != commands().end() ? &*missing : nullptr;
+  }
   const auto is_word = [](std::string_view argument) { return !argument.starts_with('-'); };
   const auto word = std::ranges::find_if(arguments.subspan(1), is_word);
   if (word == arguments.end()) return nullptr;
@@ -80,7 +91,9 @@ int run(int argc, char** argv) {
   CLI::App app{
       "A differential fuzzer for 2D colliders, with an exact judge of their contact manifolds.",
       "manifuzz"};
-  app.footer("manifuzz --help words explains the terms that commands use.");
+  app.footer(
+      "manifuzz --help words explains the terms that commands use; manifuzz --help man prints the "
+      "page for man, and --help bash, zsh or fish what shells complete by.");
   app.set_version_flag("--version", "manifuzz " MANIFUZZ_VERSION);
   app.require_subcommand(1);
   add_common_options(app);
@@ -97,8 +110,8 @@ int run(int argc, char** argv) {
     throw UserError(fmt::format("{}: {} is not there; scripts/build builds it", command->name,
                                 printable(kept_path(measuring_program()).string(), 200)));
   }
-  if (argc == 3 && argv[1] == std::string_view("--help") && argv[2] == std::string_view("words")) {
-    write_output(glossary_text());
+  if (const auto name = asked_page({argv, argv + argc})) {
+    write_output(page(app, *name));
     return 0;
   }
   try {
