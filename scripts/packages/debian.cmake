@@ -1,5 +1,7 @@
 # What `cpack` makes of a build of all: two packages for Debian, one of the program, one of the library.
 
+include(GNUInstallDirs)
+
 set(debian_files ${PROJECT_BINARY_DIR}/packages)
 
 # The version's day, as its heading in CHANGELOG.md has it; results do not depend on the clock.
@@ -11,7 +13,9 @@ endif()
 execute_process(COMMAND date --utc --rfc-email --date=${released}
   OUTPUT_VARIABLE released_on OUTPUT_STRIP_TRAILING_WHITESPACE)
 
-set(CPACK_PACKAGE_CONTACT "The manifuzz authors <manifuzz@packages.debian.org>")
+set(MANIFUZZ_CONTACT "The manifuzz authors <manifuzz@users.noreply.github.com>" CACHE STRING
+  "Whom packages name as their maintainer, \"NAME <ADDRESS>\"")
+set(CPACK_PACKAGE_CONTACT ${MANIFUZZ_CONTACT})
 set(debian_copyright "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/\nFiles: *\n")
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
 string(REGEX MATCH "Copyright \\(c\\) ([^\n]*)" unused "${license}")
