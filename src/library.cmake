@@ -98,6 +98,44 @@ function(manifuzz_lay_out_by_hand)
     COMPILE_OPTIONS -fno-tree-vectorize SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
+# manifuzz_pkg_config(name): what pkg-config says of a folder of the library, manifuzz-name, wherever the
+# installation was moved.
+function(manifuzz_pkg_config name)
+  set(target manifuzz_${name})
+  set(folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  file(RELATIVE_PATH to_prefix /${folder} /)
+  string(REGEX REPLACE "/$" "" to_prefix ${to_prefix})
+  get_target_property(links ${target} INTERFACE_LINK_LIBRARIES)
+  list(FILTER links INCLUDE REGEX "^(manifuzz_|Eigen3::Eigen$)")
+  list(TRANSFORM links REPLACE "^manifuzz_" "manifuzz-")
+  list(TRANSFORM links REPLACE "^Eigen3::Eigen$" "eigen3")
+  list(JOIN links ", " requires)
+  get_target_property(kind ${target} TYPE)
+  set(libs "")
+  if(kind STREQUAL "STATIC_LIBRARY")
+    set(libs "Libs: -L\${libdir} -l${target}\n")
+    # A static library: whoever links it links Highway.
+    string(APPEND requires ", libhwy")
+  endif()
+  set(options "")
+  if(name STREQUAL "geometry")
+    set(options " -ffp-contract=off")
+  endif()
+  set(file ${PROJECT_BINARY_DIR}/pkgconfig/manifuzz-${name}.pc)
+  file(CONFIGURE OUTPUT ${file} @ONLY CONTENT
+"prefix=\${pcfiledir}/${to_prefix}
+libdir=\${prefix}/${CMAKE_INSTALL_LIBDIR}
+includedir=\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}
+
+Name: manifuzz-${name}
+Description: ${PROJECT_DESCRIPTION}; its part ${name}
+Version: ${PROJECT_VERSION}
+Requires: ${requires}
+${libs}Cflags: -I\${includedir}${options}
+")
+  install(FILES ${file} DESTINATION ${folder} COMPONENT library)
+endfunction()
+
 # manifuzz_install(name...): these libraries, their headers, the CMake package and a file for pkg-config
 # each, as the component library; the licence is a component of its own, since packages have it elsewhere.
 function(manifuzz_install)
@@ -112,5 +150,8 @@ function(manifuzz_install)
     COMPATIBILITY SameMinorVersion)
   install(FILES manifuzzConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/manifuzzConfigVersion.cmake
     DESTINATION ${package} COMPONENT library)
+  foreach(name IN LISTS ARGV)
+    manifuzz_pkg_config(${name})
+  endforeach()
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 endfunction()

@@ -46,6 +46,7 @@ manifuzz_debian(library libmanifuzz-dev)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME manifuzz)
 set(CPACK_PACKAGE_VENDOR manifuzz)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "contact points of 2D shapes by clipping, and a fuzzer of colliders")
 set(CPACK_PACKAGE_DIRECTORY ${debian_files})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -61,8 +62,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME manifuzz)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS gnuplot-nox)
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "differential fuzzer for 2D colliders
-It compares the contact manifolds that two colliders give for random pairs
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "It compares the contact manifolds that two colliders give for random pairs
 of convex shapes, judges in exact arithmetic which of them is right, and
 shrinks what is wrong to a small case. Box2D and Chipmunk are built in;
 programs and shared libraries from outside are asked as well.")
@@ -70,8 +70,7 @@ programs and shared libraries from outside are asked as well.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libmanifuzz-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libhwy-dev")
-set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "contact points of convex shapes by clipping
-A C++20 library for 2D collision: contact manifolds of convex shapes by
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "A C++20 library for 2D collision: contact manifolds of convex shapes by
 clipping, one pair at a time or many in the lanes of vector instructions,
 and of whole scenes step by step. It gives the same bits on every machine.
 Headers, static libraries, a CMake package and files for pkg-config.")
