@@ -97,7 +97,8 @@ std::string man_page(const std::vector<CommandWords>& program, std::string_view 
   const CommandWords& itself = program.front();
   std::string page =
       fmt::format(".TH MANIFUZZ 1 \"\" \"manifuzz {}\" \"User Commands\"\n", as_groff(version));
-  page += fmt::format(".SH NAME\nmanifuzz, manifuzz\\-measure \\- {}\n", as_groff(without_period(itself.summary)));
+  page += fmt::format(".SH NAME\nmanifuzz, manifuzz\\-measure \\- {}\n",
+                      as_groff(without_period(itself.summary)));
   page += ".SH SYNOPSIS\n\\fBmanifuzz\\fR [\\fIOPTION\\fR...] \\fICOMMAND\\fR ...\n";
   page += ".SH OPTIONS\n" + entries(itself);
   page += ".SH COMMANDS\n";
