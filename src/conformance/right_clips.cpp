@@ -111,7 +111,7 @@ class ClipWriter {
     out_ += '}';
   }
 
-  /// Of the normal, then of each place and depth.
+  /// Appends what rounding to doubles lost of the normal, then of each place and depth.
   void append_lows() {
     append_low(out_ += ", \"low\": [", normal_.x.value);
     append_low(out_ += ',', normal_.y.value);

@@ -23,7 +23,7 @@ struct SecondOf {
   bool is_required = false;
   double span = 0;  ///< that both points must have along the tangent, a world length
 
-  /// But for rounding of the spans.
+  /// Whether both allow and require the same, and their spans are equal but for rounding.
   bool is_alike(const SecondOf& other) const {
     constexpr double kRounding = 1e-3;
     return is_allowed == other.is_allowed && is_required == other.is_required &&

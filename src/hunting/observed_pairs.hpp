@@ -31,7 +31,7 @@ class ObservedPairs : public WorkOnPairs {
 
   void learn(CaseNumber number, const JudgedPair& judged) const override;
 
-  /// These cases come next.
+  /// Makes room for what becomes of the cases that come next.
   void begin_part(SharedQueue::Block cases);
   /// Takes what became of them into the archive. Cases are made there if they are to be bred from.
   void end_part();

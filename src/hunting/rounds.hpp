@@ -44,9 +44,9 @@ void expect_cases_for_all(const Rounds& rounds);
 /// Leaves the plan the cases of that share.
 void narrow_to(const Rounds& rounds, const RoundShare& share, Plan& plan);
 
-/// Those of the cases that one archive keeps which is given all of them: by round, in it by their
-/// turn in their share, then by share, so that no share's cases come after all others; of equally
-/// great ones the first is kept. The best of some and all others is the best of all.
+/// The cases that an archive keeps if it is given all of these: by round, within a round by their
+/// turn in their share, then by share, so that no share's cases come after all others. Of equally
+/// great cases the first is kept, so the best of some and all others is the best of all.
 std::vector<ArchivedCase> best_of(std::vector<ArchivedCase> cases, const Rounds& rounds,
                                   const std::optional<Measure>& measure);
 

@@ -9,11 +9,13 @@ namespace manifuzz {
 // How much of its bounds the error of a right answer takes: shares, 1 being as far off as a right
 // collider may be, and 0 where nothing measures it.
 
-/// Of a manifold that is one of the right ones, against the one of whose bounds it takes the least.
+/// The shares of its bounds that a right manifold takes, against the right one of whose bounds it
+/// takes the least.
 ManifoldError clip_shares(const Manifold<double>& manifold, const Admissible& right);
 
-/// Of the depth of an answer that the penetration curve judges, against the least one. A collider
-/// that declares a tolerance or a tie bias has none: its answers may be off by more than bounds.
+/// The share of its bound that a depth takes which the penetration curve judges, against the least
+/// depth. A collider that declares a tolerance or a tie bias has none: its answers may be off by
+/// more than bounds.
 double curve_share(const exact::Truth& truth, const ColliderAnswer& given);
 
 }  // namespace manifuzz

@@ -24,8 +24,8 @@ struct PropertyOutcome {
   Kind kind = Kind::holds;
   std::string why;       ///< of a failure, for people
   double magnitude = 0;  ///< of a failure, as a share of the size
-  /// Of what holds: how much of its bound anything that was compared takes, at most 1; 0 where
-  /// nothing is measured.
+  /// Where the property holds: the greatest share of its bound that anything compared takes, at
+  /// most 1; 0 where nothing is measured.
   double of_bound = 0;
 };
 

@@ -12,8 +12,8 @@ struct CloneOf {
   std::string commit;  ///< empty: the newest
 };
 
-/// Of the source tree that holds this program: what its `origin` is, unless that is a folder, and
-/// its commit; what git does not tell is empty.
+/// The `origin` of the source tree that holds this program, unless that is a folder, and its
+/// commit; what git does not tell is empty.
 CloneOf clone_of_this_program();
 
 /// What the workflow does besides.

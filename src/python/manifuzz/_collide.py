@@ -12,7 +12,7 @@ from ._arrays import body32, body64, expect, manifold32, manifold64, parts, rows
 
 _Array = NDArray[Any]
 
-# So many pairs at a time, so that ctrl-C is heard between.
+# Python sees ctrl-C only between calls, so long batches are split into calls of this many pairs.
 _PAIRS_AT_A_TIME = 100_000
 
 

@@ -25,7 +25,7 @@ from ._arrays import (
 _Array = NDArray[Any]
 _POSES = np.dtype((np.float32, (2, 4)))
 
-# So many at a time, so that ctrl-C is heard between.
+# Python sees ctrl-C only between calls, so cases are judged in calls of this many.
 _CASES_AT_A_TIME = 1000
 
 
