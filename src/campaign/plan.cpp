@@ -109,11 +109,8 @@ void narrow_to_share(const Share& share, Plan& plan) {
         fmt::format("--share: {} are too many shares of {}, dealt to {} in turn; use at most {}",
                     share.of, counted(cases, "case"), counted(in_turn, "regime"), turns));
   }
-  const auto begin_of = [&](std::uint64_t number) {
-    return number * (turns / share.of) + std::min(number, turns % share.of);
-  };
-  const std::uint64_t begin = begin_of(share.number);
-  const std::uint64_t end = begin_of(share.number + 1);
+  const std::uint64_t begin = begin_of_part(share.number, share.of, turns);
+  const std::uint64_t end = begin_of_part(share.number + 1, share.of, turns);
   plan.first += begin;
   plan.cases = std::min((end - begin) * in_turn, cases - begin * in_turn);
 }

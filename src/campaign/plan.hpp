@@ -188,6 +188,12 @@ struct Share {
   std::uint64_t of = 1;
 };
 
+/// Where a part begins of so many things that are dealt to parts: each has as many as another, or
+/// one more, and those that have more come first.
+inline std::uint64_t begin_of_part(std::uint64_t part, std::uint64_t parts, std::uint64_t things) {
+  return part * (things / parts) + std::min(part, things % parts);
+}
+
 /// What "3/40" says. Throws UserError that names --share.
 Share share_of(const std::string& text);
 

@@ -8,11 +8,6 @@
 namespace manifuzz {
 namespace {
 
-/// Each of `parts` has as many cases as another, or one more; those come first.
-CaseNumber begin_of_part(std::uint64_t part, std::uint64_t parts, std::uint64_t cases) {
-  return part * (cases / parts) + std::min(part, cases % parts);
-}
-
 /// The order in which cases are given to the archive of the next round.
 auto turn_of(CaseNumber number, const Rounds& rounds) {
   const std::uint64_t parts = rounds.rounds * rounds.shares;
