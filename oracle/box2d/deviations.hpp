@@ -25,6 +25,9 @@ bool edge_slab_not_widened(const Deviation& deviation);
 /// An edge against a polygon: the edge's own face is kept though one of the polygon's has a greater
 /// separation, by no more than 2 % of the edge's depth and 0.001.
 bool edge_face_kept_by_hysteresis(const Deviation& deviation);
+/// An edge against a polygon: of the polygon's edges that face the edge's face alike, one is
+/// clipped that has not the deepest vertex.
+bool edge_clips_tied_incident(const Deviation& deviation);
 /// A circle whose centre is nearer than epsilon to the end of an edge: the normal is the world's x
 /// axis, towards the circle, wherever the edge lies.
 bool axis_for_coincident_points(const Deviation& deviation);

@@ -117,6 +117,16 @@ bool edge_face_kept_by_hysteresis(const Deviation& d) {
          any_clip_from(d, sides->edge, [](const BetweenEnds&) { return true; });
 }
 
+bool edge_clips_tied_incident(const Deviation& d) {
+  const auto sides = edge_and_polygon(d.right.pair());
+  if (!sides) return false;
+  const double bound = 2 * d.right.bounds.separation;
+  const double deepest = d.right.truth->separation(sides->edge);
+  return lead_over_hysteresis(*d.right.truth, *sides) <= bound &&
+         any_clip_from(d, sides->edge,
+                       [&](const BetweenEnds& clip) { return clip.nearest > deepest + bound; });
+}
+
 bool axis_for_coincident_points(const Deviation& d) {
   const auto is_axis = [&](const CentreOnCorner& found) {
     const auto along = static_cast<double>(found.from_corner.x());

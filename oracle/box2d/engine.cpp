@@ -16,6 +16,7 @@ constexpr LedgerRow kBox2dRows[] = {
     {"crossing-underflows", crossing_underflows},
     {"edge-slab-not-widened", edge_slab_not_widened},
     {"edge-hysteresis", edge_face_kept_by_hysteresis},
+    {"edge-tied-incident", edge_clips_tied_incident},
     {"coincident-points", axis_for_coincident_points},
     {"direction-of-roundings", direction_of_roundings},
     {"corner-direction-not-normalised", corner_direction_not_normalised},

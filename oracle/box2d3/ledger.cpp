@@ -5,6 +5,7 @@
 
 #include "engines/engine.hpp"
 #include "exact/curve.hpp"
+#include "exact/placed.hpp"
 #include "judging/faults/differences.hpp"
 #include "judging/faults/shared_faults.hpp"
 #include "oracle/box2d3/capsule_editions.hpp"
@@ -73,6 +74,31 @@ bool corner_beyond_slab(const Deviation& d) {
          ledger_of::least_depth(d) > d.right.bounds.separation;
 }
 
+/// Whether the answer's normal is that of a face to which several edges are alike in float.
+bool is_of_tied_incidents(const Deviation& d, const Vector2<double>& normal) {
+  const Bounds& bounds = d.right.bounds;
+  const exact::RoughPair placed = exact::place_roughly(d.right.truth->stored());
+  for (const Side side : {Side::a, Side::b}) {
+    const Vector2<double> out = side == Side::a ? normal : Vector2<double>(-normal);
+    for (int i = 0; i < d.right.pair()[side].polygon.face_count(); ++i) {
+      if ((placed[side].normals[i] - out).norm() > 2 * bounds.normal) continue;
+      if (d.right.truth->incident_edges({side, i}, bounds.incident_dot).size() > 1) return true;
+    }
+  }
+  return false;
+}
+
+/// A round pair with a polygon: of edges that tie as incident one is clipped that has not the
+/// deepest vertex, so that the answer is less deep than any direction allows.
+bool tied_incident_of_box2d3(const Deviation& d) {
+  const auto found = found_by_box2d3(d);
+  if (!found || found->is_of_capsules || !found->is_clipped || d.got.count == 0) return false;
+  double deepest = 0;
+  for (int i = 0; i < d.got.count; ++i) deepest = std::max(deepest, d.got.points[i].depth);
+  return deepest < ledger_of::least_depth(d) - d.right.bounds.separation &&
+         is_of_tied_incidents(d, found->normal);
+}
+
 /// Two capsules: with the slop, the bias to A's edge and the one point that doubles have too.
 bool capsules_of_box2d3(const Deviation& d) {
   return found_by_box2d3(d) && slop_in_box2d3_capsules(d);
@@ -137,6 +163,7 @@ bool neither_clipped_nor_corner(const Deviation& d) {
 constexpr LedgerRow kBox2d3Rows[] = {
     {"no-contact-on-tied-features", no_contact_on_tied_features},
     {"corner-beyond-slab", corner_beyond_slab},
+    {"tied-incident", tied_incident_of_box2d3},
     {"capsule-slop", capsules_of_box2d3},
     {"one-point-between-corners", ledger_of::one_point_between_corners},
     {"face-within-slop", face_within_box2d3_slop},

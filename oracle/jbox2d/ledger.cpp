@@ -149,6 +149,7 @@ constexpr LedgerRow kJbox2dRows[] = {
     {"no-contact-under-bias", no_contact_under_bias},
     {"no-contact-on-tied-features", no_contact_on_tied_features},
     {"edge-slab-not-widened", edge_slab_not_widened},
+    {"edge-tied-incident", edge_clips_tied_incident},
     {"coincident-points", axis_for_coincident_points},
     {"direction-of-roundings", direction_of_roundings},
     {"edge-radius", edge_radius_of_settings},

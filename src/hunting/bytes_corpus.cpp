@@ -65,7 +65,8 @@ Rewritten write_as_json(std::span<const fs::path> inputs, const fs::path& folder
     for (const fs::path& file : files_in(input)) {
       const auto pair = case_in(file);
       if (pair) {
-        write_corpus_case(folder, {.any = *pair});
+        const Found found{.regime = std::string(kRegimeOfHunts), .versions = {}};
+        write_corpus_case(folder, {.any = *pair, .found = found});
         ++result.written;
       } else {
         ++result.left_out;

@@ -36,6 +36,8 @@ std::optional<std::filesystem::path> WrongAnswers::keep(const WrongAnswer& wrong
   std::string name = to_string(bucket);
   CorpusCase found;
   found.any = wrong.pair;
+  found.found = Found{.regime = std::string(kRegimeOfHunts),
+                      .versions = {{declaration_.name, declaration_.version}}};
   found.expect = Expectation{.subject = declaration_.name,
                              .oracle = {},
                              .verdict = std::string(to_string(bucket.verdict)),
