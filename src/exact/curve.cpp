@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace manifuzz::exact {
 namespace {
@@ -170,6 +171,19 @@ double separation_of(const Truth& truth) {
 Vector2<double> PenetrationCurve::unit_normal(FaceOf face) const {
   const auto normal = true_normal<Approximate<DoubleDouble>>(pair(), face);
   return {leading(normal.x.value), leading(normal.y.value)};
+}
+
+std::vector<double> angles_to_draw(const RoughPair& placed) {
+  std::vector<double> all;
+  for (int i = 0; i < 180; ++i) all.push_back(i * std::numbers::pi / 90);
+  const auto add = [&all](const Vector2<double>& normal) {
+    const double angle = std::atan2(normal.y(), normal.x());
+    all.push_back(angle < 0 ? angle + 2 * std::numbers::pi : angle);
+  };
+  for (int i = 0; i < placed.a.count; ++i) add(placed.a.normals[i]);
+  for (int j = 0; j < placed.b.count; ++j) add(-placed.b.normals[j]);
+  std::ranges::sort(all);
+  return all;
 }
 
 }  // namespace manifuzz::exact

@@ -131,4 +131,8 @@ class PenetrationCurve {
 /// S of the pair, to well past double; of round shapes whose cores are apart, their distance.
 double separation_of(const Truth& truth);
 
+/// The angles at which to draw the curve, in radians from 0, ascending: every two degrees, which
+/// nobody sees, and where the curve has corners.
+std::vector<double> angles_to_draw(const RoughPair& placed);
+
 }  // namespace manifuzz::exact

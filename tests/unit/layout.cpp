@@ -38,6 +38,7 @@ const std::vector<Folder> kFolders = {
     {"external", "external", {"own code"}},
     {"generating", "generating", {"own code", "external"}},
     {"judging", "judging", {"own code", "external"}},
+    {"playground", "own code", {"tools"}},
     {"python", "own code", {"tools", "exchange", "external"}},
     {"properties", "properties", {"own code", "external"}},
     {"sequence", "sequence", {"own code", "external"}},
@@ -281,8 +282,7 @@ Violations stray_entries(const std::vector<SourceFile>& files) {
 }
 
 Violations machine_paths(const std::vector<SourceFile>& files) {
-  // Split, so that this file does not name them.
-  const std::string split = "/";
+  const std::string split = "/";  // so that this file does not name them
   const std::vector<std::string> paths = {split + "work/", split + "home/", split + "root/",
                                           split + "tmp/helpers"};
   Violations found;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -41,7 +40,8 @@ class CurvePicture {
         bounds_(bounds(pair_, judged.subject.declaration)),
         svg_(title(), kPictureStyle) {
     double deepest = 0;
-    for (const double angle : angles()) deepest = std::max(deepest, depth_along(at_angle(angle)));
+    for (const double angle : exact::angles_to_draw(placed_))
+      deepest = std::max(deepest, depth_along(at_angle(angle)));
     const double least = curve_.least();
     scale_ = (kReach - kLevel) / deepest;
     if (least < 0) scale_ = std::min(scale_, (kLevel - kCrater) / -least);
@@ -78,20 +78,6 @@ class CurvePicture {
 
   double depth_along(const Point& normal) const {
     return exact::Along(truth_, local_normal(pair_, normal)).depth();
-  }
-
-  /// Every two degrees, which nobody sees, and where the curve has corners.
-  std::vector<double> angles() const {
-    std::vector<double> all;
-    for (int i = 0; i < 180; ++i) all.push_back(i * std::numbers::pi / 90);
-    const auto add = [&all](const Point& normal) {
-      const double angle = std::atan2(normal.y(), normal.x());
-      all.push_back(angle < 0 ? angle + 2 * std::numbers::pi : angle);
-    };
-    for (int i = 0; i < placed_.a.count; ++i) add(placed_.a.normals[i]);
-    for (int j = 0; j < placed_.b.count; ++j) add(-placed_.b.normals[j]);
-    std::ranges::sort(all);
-    return all;
   }
 
   void draw_plot(const Box& frame, const Font& level_font) {
@@ -147,7 +133,7 @@ class CurvePicture {
 
   void draw_curve() {
     Region outline;
-    for (const double angle : angles()) {
+    for (const double angle : exact::angles_to_draw(placed_)) {
       outline.push_back(place(at_angle(angle), depth_along(at_angle(angle))));
     }
     svg_.polygon(outline, "curve");
