@@ -5,7 +5,6 @@ const VERDICTS = ["crashed", "timed_out", "malformed", "subject_wrong", "both_wr
   "known", "tie", "ill_posed", "unsupported", "agree"];
 const UNEXPLAINED = new Set(VERDICTS.slice(0, 6));
 const ROLES = ["truth", "subject", "oracle"];
-const NOT_FINITE = "not finite";
 
 const report = readReport();
 
@@ -71,20 +70,6 @@ function tally(keys) {
 function greatest(values) {
   const there = values.filter(Number.isFinite);
   return there.length === 0 ? null : Math.max(...there);
-}
-
-// As `%.4g` writes it: four figures. A number that was not finite comes as null.
-function brief(value) {
-  if (!Number.isFinite(value)) return NOT_FINITE;
-  const size = Math.abs(value);
-  if (size === 0 || (size >= 1e-4 && size < 1e6)) return String(Number(value.toPrecision(size >= 1e4 ? 6 : 4)));
-  return String(Number(value.toPrecision(4)).toExponential()).replace("e+", "e");
-}
-
-// Every figure: reads back to the same double.
-function full(value) {
-  if (!Number.isFinite(value)) return NOT_FINITE;
-  return value !== 0 && Math.abs(value) < 1e-4 ? value.toExponential() : String(value);
 }
 
 function place(point) {

@@ -24,34 +24,6 @@ function openHelp() {
   if (!dialog.open) dialog.showModal();
 }
 
-// What the button said is kept, where the browser keeps anything of a page from a file.
-function storage() {
-  try {
-    return localStorage;
-  } catch {
-    return {};
-  }
-}
-
-// Light or dark: as the system says, until the button says otherwise.
-function startTheme() {
-  const system = matchMedia("(prefers-color-scheme: dark)");
-  const { dataset } = document.documentElement;
-  const other = () => ((dataset.theme ?? (system.matches ? "dark" : "light")) === "dark" ? "light" : "dark");
-  const name = () => {
-    byId("theme").textContent = other() === "dark" ? "Dark" : "Light";
-    byId("theme").setAttribute("aria-label", `Switch to the ${other()} colours`);
-  };
-  const kept = storage()["manifuzz-theme"];
-  if (kept === "dark" || kept === "light") dataset.theme = kept;
-  byId("theme").addEventListener("click", () => {
-    dataset.theme = storage()["manifuzz-theme"] = other();
-    name();
-  });
-  system.addEventListener("change", name);
-  name();
-}
-
 // On paper: the whole list, with every picture.
 function preparePrint() {
   if (report.cases.length === 0) return;

@@ -1,41 +1,8 @@
 // A case as a picture: the same one for the thumbnails and for the viewer.
 
-const SIDES = ["a", "b"];
 const CASE_LAYERS = ["fills", "planes", "edges", "thick", "normal", "bars", "labels", "marks", "face-targets", "vertex-targets", "point-targets", "scale"];
 const SHOW_ALL = { truth: true, subject: true, oracle: true, planes: true, numbers: true };
 const THUMBNAIL = { width: 264, height: 168 };
-
-const pixels = (value) => String(Math.round(value * 1000) / 1000);
-
-function pathOf(points, isClosed) {
-  return points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${pixels(x)} ${pixels(y)}`).join("") + (isClosed ? "Z" : "");
-}
-
-// Draws the same picture again and again: elements keep their keys from one drawing to the next, so that focus and hover
-// stay where they are. `layers` names the groups from the bottom to the top.
-function makePainter(svg, layers) {
-  const groups = new Map(layers.map((name) => [name, svg.appendChild(svgElement("g", { class: name }))]));
-  const elements = new Map();
-  const painted = new Set();
-  return {
-    put(layer, key, tag, attributes, text = "") {
-      const name = `${layer} ${key}`;
-      if (!elements.has(name)) elements.set(name, groups.get(layer).appendChild(svgElement(tag)));
-      const node = setAttributes(elements.get(name), attributes);
-      if (node.textContent !== text) node.textContent = text;
-      painted.add(name);
-    },
-    // Takes away what was not painted since the last time.
-    finish() {
-      for (const [name, node] of elements) {
-        if (painted.has(name)) continue;
-        node.remove();
-        elements.delete(name);
-      }
-      painted.clear();
-    },
-  };
-}
 
 // The middle of the first free place for a text beside the anchor, `gap` away in one of these directions; null if all are taken.
 // `room` is {frame, taken}, in pixels.
