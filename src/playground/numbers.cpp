@@ -11,15 +11,6 @@
 #include "own_colliders/own_colliders.hpp"
 #include "playground/steps.hpp"
 
-namespace manifuzz {
-
-/// No engine is asked here, whose deviations a ledger would name.
-std::vector<LedgerEntry> built_ledger() {
-  return {};
-}
-
-}  // namespace manifuzz
-
 namespace manifuzz::playground {
 namespace {
 
@@ -144,10 +135,6 @@ std::string add_answer(const exact::Truth& truth, const Collider& collider, Row&
   return to_string(judgement.bucket);
 }
 
-double angle_of(const Vector2<double>& normal) {
-  return std::atan2(normal.y(), normal.x());
-}
-
 void add_curve(const exact::Truth& truth, const Declaration& declaration, Row& row) {
   const PairCase& pair = truth.pair();
   const exact::PenetrationCurve curve(truth, exact::skin_of(truth));
@@ -155,7 +142,7 @@ void add_curve(const exact::Truth& truth, const Declaration& declaration, Row& r
   const double bound = bounds(pair, declaration).separation;
   const auto minima = curve.minima(std::isfinite(bound) ? bound : 0);
   row.add(static_cast<double>(minima.size()));
-  for (const auto& normal : minima) row.add(angle_of(world_normal(pair, normal)));
+  for (const auto& normal : minima) row.add(world_normal(pair, normal));
   const std::vector<double> angles = exact::angles_to_draw(exact::place_roughly(pair));
   row.add(static_cast<double>(angles.size()));
   for (const double angle : angles) {

@@ -40,8 +40,8 @@ struct Told {
   ///     has along its normal, count of points, 1 where B's is the reference, normal, normal in A's
   ///     frame, then of each of two points: place, position in A's frame, depth, A's and B's
   ///     feature
-  ///   the curve: least depth, count of normals that have it, the angle of each, count of
-  ///     samples, then of each angle and depth; angles in radians from 0
+  ///   the curve: least depth, count of normals that have it, each of these, count of samples,
+  ///     then of each angle, in radians from 0, and depth
   ///
   /// What stands behind a 0 for "there is none" is there all the same, as zeros.
   std::vector<double> numbers;

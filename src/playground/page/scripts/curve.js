@@ -30,15 +30,15 @@ function drawCurve(painter, told, shapes) {
   const level = (key, depth, text) => {
     const radius = LEVEL + scale * depth;
     painter.put("levels", key, "circle", { class: "level", cx: center[0], cy: center[1], r: pixels(radius) });
-    const isBelow = atAngle(curve.minima[0] ?? 0)[1] > 0;
+    const isBelow = (curve.minima[0]?.[1] ?? 0) > 0;
     painter.put("texts", key, "text", { x: center[0], y: pixels(center[1] + (isBelow ? radius : -radius) + 7), "text-anchor": "middle" }, text);
   };
   level("zero", 0, "depth 0: they touch");
   const round = roundBelow((0.8 * (REACH - LEVEL)) / scale);
   level("round", round, `depth ${brief(round)}`);
   painter.put("line", "curve", "path", { class: "depths", d: pathOf(curve.samples.map(([angle, depth]) => place(atAngle(angle), depth)), true) });
-  curve.minima.forEach((angle, i) => {
-    const [cx, cy] = place(atAngle(angle), curve.least).map(pixels);
+  curve.minima.forEach((normal, i) => {
+    const [cx, cy] = place(normal, curve.least).map(pixels);
     painter.put("marks", `ring ${i}`, "circle", { class: "ring", cx, cy, r: 15 });
   });
   drawCurveAnswers(painter, told, center, place);
@@ -75,10 +75,7 @@ function drawSmallShapes(painter, shapes, center) {
 }
 
 function curveInWords({ curve }) {
-  const normals = curve.minima.map((angle) => {
-    const [x, y] = atAngle(angle);
-    return `(${brief(x)}, ${brief(y)})`;
-  });
+  const normals = curve.minima.map((normal) => `(${normal.map(brief).join(", ")})`);
   const name = normals.length > 1 ? "The least depth, which ties," : "The least depth";
   return `${name} is ${brief(curve.least)}, along ${normals.join(" and ")}.`;
 }

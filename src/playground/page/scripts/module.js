@@ -59,7 +59,7 @@ function readTold(numbers, buckets) {
     outward: point(), margin: next(), whole: both(end),
     sideClips: both(() => ({ corner: point(), inward: point(), leaves: flag(), edge: both(end) })),
     inFront: both(next), isReplaced: flag(), answers: both(answer),
-    curve: { least: next(), minima: list(next(), next), samples: list(next(), point) },
+    curve: { least: next(), minima: list(next(), point), samples: list(next(), point) },
   };
   for (const one of told.answers) one.points.length = one.count;
   return told;

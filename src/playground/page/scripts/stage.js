@@ -18,8 +18,11 @@ function placedShapes(pair, origin) {
     { vertices: placedVertices(pair[side], origin), radius: pair[side].radius, corners: pair[side].rounding }]));
 }
 
-const shapesBox = (shapes) => boxOf(SIDES.flatMap((side) => outlineOf(shapes[side], () => false).length > 400
-  ? shapes[side].vertices : outlineOf(shapes[side], (from, to, sagitta) => sagitta < 0.02 * (shapes[side].radius || 1))));
+// The corners of a radius that is mitred reach farther, and are not waited for.
+const shapesBox = (shapes) => boxOf(SIDES.flatMap((side) => {
+  const { vertices, radius } = shapes[side];
+  return vertices.flatMap((vertex) => [along(vertex, [radius, radius], -1), along(vertex, [radius, radius], 1)]);
+}));
 
 // What draws on a picture: every method takes places of the world.
 function makePen(painter, camera, seen) {
