@@ -20,7 +20,7 @@ async function watched(context, init) {
   opened.page.on('pageerror', (error) => opened.troubles.push(`error: ${error.message}`));
   opened.page.on('request', (request) => {
     const asked = request.url();
-    if (asked.split('#')[0] !== opened.url && !/^(data:|about:blank)/.test(asked)) opened.troubles.push(`request: ${asked}`);
+    if (asked.split('#')[0] !== opened.url && !/^(data:|blob:|about:blank)/.test(asked)) opened.troubles.push(`request: ${asked}`);
   });
   if (init) await opened.page.addInitScript(init);
   return opened;

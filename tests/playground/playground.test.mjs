@@ -1,5 +1,5 @@
-// The page that scripts/playground writes, opened from its file: MANIFUZZ_PAGE. MANIFUZZ_PROGRAM answers the cases that it
-// downloads.
+// The page that scripts/playground writes, opened from its file, MANIFUZZ_PAGE, and the report that holds it, MANIFUZZ_REPORT.
+// MANIFUZZ_PROGRAM answers the cases that are downloaded.
 
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
@@ -202,6 +202,29 @@ onPage('a finger drags a vertex, and a phone shows all of it without scrolling s
   const [width, room] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
   assert.ok(width <= room, `${width} > ${room}`);
 }, {viewport: {width: 360, height: 740}, hasTouch: true, isMobile: true});
+
+test('a report that holds the playground drags its cases in it', async () => {
+  const opened = await browser.open(process.env.MANIFUZZ_REPORT, {acceptDownloads: true});
+  const {page} = opened;
+  await page.locator('#cards a[data-case]').first().click();
+  const shown = await page.textContent('.viewer-title .digits');
+  await page.click('.viewer-buttons >> text=Drag');
+  const held = page.frameLocator('.playground-frame');
+  await held.locator('html[data-held]').waitFor();
+  const given = await page.evaluate((title) => {
+    const {cases} = JSON.parse(document.getElementById('data').textContent);
+    return JSON.parse(cases.find(({file}) => title.endsWith(`: ${file}`)).case);
+  }, shown);
+  await held.locator('[data-handle="a vertex 0"]').waitFor();
+  const [download] = await Promise.all([page.waitForEvent('download'), held.locator('text=Download the case').click()]);
+  const text = JSON.parse(readFileSync(await download.path(), 'utf8'));
+  assert.deepEqual(text.a.vertices, given.a.vertices);
+  assert.deepEqual(text.b.vertices, given.b.vertices);
+  await page.click('.viewer-buttons >> text=Next');
+  await page.locator('#stage svg').waitFor();
+  assert.deepEqual(opened.troubles, []);
+  await opened.close();
+});
 
 onPage('the time of a frame while one drags is said', async (page) => {
   for (const name of ['A box on a box', 'Two octagons', 'A capsule on a box']) {

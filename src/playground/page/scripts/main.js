@@ -108,6 +108,7 @@ function openCase(pair, step = state.step) {
   }
   state.origin = pair.a.position;
   state.step = step;
+  byId("cases").querySelector("select").selectedIndex = EXAMPLES.findIndex(([, one]) => one === pair);
   change(pair);
   fit();
 }
@@ -240,6 +241,16 @@ function listen() {
   }).observe(byId("stage"));
 }
 
+// A page that holds this one gives the case, as text.
+function askForCase() {
+  if (parent === window) return;
+  document.documentElement.dataset.held = "true";
+  addEventListener("message", ({ source, data }) => {
+    if (source === parent && typeof data === "string") tryToOpen(() => ({ pair: caseFromText(data) }));
+  });
+  parent.postMessage(PLAYGROUND_IS_READY, "*");
+}
+
 async function start() {
   startTheme();
   buildControls();
@@ -254,6 +265,7 @@ async function start() {
   draw();
   listen();
   document.documentElement.dataset.ready = "true";
+  askForCase();
 }
 
 start().catch((error) => tellTrouble(`This page needs a browser of 2024 or later: ${error.message}`));

@@ -22,12 +22,6 @@ function systemOf(module, memory) {
   return system;
 }
 
-async function unpack(base64) {
-  const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).arrayBuffer();
-}
-
 function numbersOf({ vertices, radius, rounding, position, rotation }) {
   const numbers = [vertices.length, rounding === "round" ? 1 : 0, radius, ...position, ...rotation, ...vertices.flat()];
   return [...numbers, ...Array(7 + 2 * MAX_VERTICES - numbers.length).fill(0)];
@@ -67,7 +61,7 @@ function readTold(numbers, buckets) {
 
 // {check, tell}, both of a case. `check` gives what is wrong with it, or nothing; `tell` takes one that has no defect.
 async function loadModule() {
-  const module = await WebAssembly.compile(await unpack(byId("module").textContent.trim()));
+  const module = await WebAssembly.compile(await unpacked(byId("module")));
   let exports;
   ({ exports } = await WebAssembly.instantiate(module, systemOf(module, () => exports.memory)));
   exports._initialize?.();

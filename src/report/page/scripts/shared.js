@@ -1,5 +1,5 @@
-// What the report's page and src/playground share: the theme, numbers in words, and pictures that are drawn
-// again and again.
+// What the report's page and src/playground share: the theme, numbers in words, pictures that are drawn again and again,
+// and how one holds the other.
 
 const SIDES = ["a", "b"];
 const NOT_FINITE = "not finite";
@@ -77,3 +77,13 @@ function startTheme() {
   system.addEventListener("change", name);
   name();
 }
+
+// The bytes that an element of the page holds: packed by gzip, as base64.
+async function unpacked(node) {
+  const packed = Uint8Array.from(atob(node.textContent.trim()), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).arrayBuffer();
+}
+
+// What the playground tells the page that holds it, once it can be given a case.
+const PLAYGROUND_IS_READY = "manifuzz playground";

@@ -170,7 +170,7 @@ function viewerHeader(one) {
     element("div", { class: "viewer-title" },
       element("h2", { id: "viewer-title", tabindex: "-1" }, verdictMark(one.verdict), one.sentence || words(one.verdict) || baseName(one.file)),
       element("p", { class: "quiet digits" }, `${at + 1} of ${order.length}: ${one.file}`)),
-    element("div", { class: "viewer-buttons" },
+    element("div", { class: "viewer-buttons" }, dragButton(one),
       button("\u2039 Previous", () => goToCase(-1), { disabled: at <= 0, title: "previous case (k)" }),
       button("Next \u203a", () => goToCase(1), { disabled: at >= order.length - 1, title: "next case (j)" }),
       button("Close", () => byId("viewer").close(), { title: "close (Esc)" })));
@@ -218,6 +218,32 @@ function zoomButtons() {
     element("output", { id: "zoom-factor", "aria-label": "zoom" }), press("+", "+", "zoom in", "zoom in"),
     press("Whole", "0", "show everything"), press("Fit points", "f", "zoom to the contact"),
     press("Fit overlap", "o", "zoom to the overlap"), press("Fit thickness", "t", "zoom to the overlap's thickness"));
+}
+
+// Puts the playground in the place of the picture and the details, with this case in it.
+async function drag(one) {
+  const page = URL.createObjectURL(new Blob([await unpacked(byId("playground"))], { type: "text/html" }));
+  const frame = element("iframe", { class: "playground-frame", src: page, title: "The case, to be dragged" });
+  const giveCase = ({ source, data }) => {
+    if (source !== frame.contentWindow || data !== PLAYGROUND_IS_READY) return;
+    removeEventListener("message", giveCase);
+    URL.revokeObjectURL(page);
+    frame.contentWindow.postMessage(one.case, "*");
+  };
+  addEventListener("message", giveCase);
+  stageSize.disconnect();
+  viewing.camera = null;
+  byId("viewer").querySelector(".viewer-body").replaceChildren(frame);
+}
+
+// Where this page holds the playground.
+function dragButton(one) {
+  if (!byId("playground") || !one.isDrawable) return null;
+  const node = button("Drag", () => {
+    node.disabled = true;
+    drag(one);
+  }, { title: "drag the shapes, and see clip64, gjk64 and the judge answer" });
+  return node;
 }
 
 function fillDetails() {
