@@ -16,16 +16,10 @@
 namespace manifuzz {
 namespace {
 
-/// Whether the file lies in the folder of that collider's worst cases.
-bool is_worst_of(const std::string& collider, const CorpusCase& one) {
-  const std::filesystem::path folder = std::filesystem::path(one.path).parent_path();
-  return folder.filename() == collider && folder.parent_path().filename() == "worst";
-}
-
 /// What a corpus has between these colliders; other engines' deviations are not this campaign's.
 Corpus of_campaign(Corpus corpus, const Plan& plan) {
   const auto is_of_another = [&](const CorpusCase& one) {
-    if (!one.expect) return !is_worst_of(plan.subject.declaration.name, one);
+    if (!one.expect) return collider_of_hunted(one.path) != plan.subject.declaration.name;
     const std::string& other =
         one.expect->oracle.empty() ? one.expect->subject : one.expect->oracle;
     return other != plan.subject.declaration.name && other != plan.oracle.declaration.name;

@@ -222,6 +222,11 @@ bool is_worst(std::string_view path) {
   return path.ends_with(kWorstEnding);
 }
 
+std::string collider_of_hunted(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  return folder.parent_path().filename() == "worst" ? folder.filename().string() : "";
+}
+
 std::string shrunk_beside(std::string_view path) {
   if (!is_worst(path)) return std::string(path);
   path.remove_suffix(kWorstEnding.size());

@@ -167,6 +167,10 @@ std::filesystem::path worst_beside(const std::filesystem::path& file);
 bool is_worst(std::string_view path);
 std::string shrunk_beside(std::string_view path);
 
+/// The collider whose worst case a hunt kept in that file, worst/COLLIDER/MEASURE.json: empty where
+/// the file is none of these.
+std::string collider_of_hunted(const std::filesystem::path& file);
+
 /// Writes that case there.
 void write_worst_case(const std::filesystem::path& file, const CorpusCase& worst);
 

@@ -72,9 +72,8 @@ void add_row(std::vector<HuntRow>& rows, const HuntRow& row) {
 }
 
 bool is_worst_of_hunt(const CorpusCase& known) {
-  const fs::path path(known.path);
   return known.found && known.found->regime == kRegimeOfHunts && !known.expect &&
-         path.parent_path().parent_path().filename() == "worst";
+         !collider_of_hunted(known.path).empty();
 }
 
 /// Where the folder of a corpus has that file.

@@ -165,11 +165,22 @@ std::vector<Manifold<double>> right_of(const PageCase& page_case) {
   return right;
 }
 
+/// The colliders of a page's case: those that it names; of the worst case of a hunt the collider
+/// that it is of, where that is here, against the clean code in double.
+std::pair<std::string, std::string> colliders_of(const CorpusCase& given,
+                                                 NamedColliders& colliders) {
+  const Expectation expect = given.expect.value_or(Expectation{});
+  const std::string hunted = given.expect ? "" : collider_of_hunted(given.path);
+  if (!hunted.empty() && colliders.find(hunted) != nullptr) {
+    return {hunted, hunted == "clip64" ? "clip" : "clip64"};
+  }
+  return {expect.subject.empty() ? colliders.subject() : expect.subject,
+          expect.oracle.empty() ? colliders.oracle() : expect.oracle};
+}
+
 PageCase page_case_of(const CorpusCase& given, const BucketRuns& runs, NamedColliders& colliders,
                       Interruption& interruption) {
-  const Expectation expect = given.expect.value_or(Expectation{});
-  const std::string& subject_name = expect.subject.empty() ? colliders.subject() : expect.subject;
-  const std::string& oracle_name = expect.oracle.empty() ? colliders.oracle() : expect.oracle;
+  const auto [subject_name, oracle_name] = colliders_of(given, colliders);
   const Collider* const subject = colliders.find(subject_name);
   const Collider* const oracle = colliders.find(oracle_name);
   PageCase page_case;

@@ -164,6 +164,8 @@ TEST_CASE("The file of what a case was shrunk from is told by its name") {
   CHECK(is_worst("a/b.worst.json"));
   CHECK_FALSE(is_worst("a/b.json"));
   CHECK(shrunk_beside("a/b.worst.json") == "a/b.json");
+  CHECK(collider_of_hunted("corpus/worst/clip/error.json") == "clip");
+  CHECK(collider_of_hunted("corpus/defects/clip/error.json").empty());
   CHECK(shrunk_beside("a/b.json") == "a/b.json");
 }
 
