@@ -57,7 +57,11 @@ PropertyOutcome check_in_child(const Property& property, const Collider& collide
   };
   const Ending ending = run_in_child(body, case_seconds_max(collider, collider), interruption);
   if (ending == Ending::stopped) throw Interrupted();
-  if (ending != Ending::done) return fails(lost_by(ending).why, slot->magnitude);
+  if (ending != Ending::done) {
+    PropertyOutcome lost = fails(lost_by(ending).why, slot->magnitude);
+    lost.is_lost = true;
+    return lost;
+  }
   return {.kind = slot->kind, .why = slot->why.str(), .magnitude = slot->magnitude};
 }
 

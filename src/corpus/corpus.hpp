@@ -106,7 +106,8 @@ CorpusCase read_case_file(const std::string& path, CaseKind kind = CaseKind::pai
 std::string format_case(const CorpusCase& corpus_case);
 
 /// Appends a case, and where it came from, as one line, without the line's end.
-void append_found_case_line(std::string& out, const AnyCase& any, const Found& found);
+void append_found_case_line(std::string& out, const AnyCase& any, const Found& found,
+                            std::string_view property = {});
 
 struct Corpus {
   std::vector<CorpusCase> cases;               ///< pair cases

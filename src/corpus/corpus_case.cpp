@@ -236,10 +236,12 @@ void append_case_line(std::string& out, const AnyCase& any) {
   std::visit([&](const auto& one) { append_case_line(out, one); }, any);
 }
 
-void append_found_case_line(std::string& out, const AnyCase& any, const Found& found) {
+void append_found_case_line(std::string& out, const AnyCase& any, const Found& found,
+                            std::string_view property) {
   append_case_line(out, any);
   out.pop_back();  // the brace that closes it
   append_found(out, ", ", found);
+  if (!property.empty()) out += fmt::format(R"(, "property": "{}")", property);
   out += '}';
 }
 

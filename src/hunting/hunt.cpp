@@ -63,7 +63,7 @@ class Hunting {
       begun = cases.end;
       add(all, run_part(plan_, cases, all, interruption));
       bred_->end_generation(*all.tally);
-      journal.add(*all.tally);
+      keep(journal, *all.tally);
       if (drawn_ && !has_ended(all)) run_drawn(cases, all, interruption);
     }
     return all;
@@ -99,6 +99,19 @@ class Hunting {
   }
 
  private:
+  /// Keeps the first case of each bucket of somebody's mistakes.
+  void keep(Journal& journal, const Tally& tally) const {
+    for (const auto& [bucket, met] : tally.buckets.all()) {
+      if (bucket.fault == Fault::none) continue;
+      journal.add(index_of(bucket), [this, first = met->first] {
+        std::string line;
+        append_found_case_line(line, bred_->pair(plan_, first),
+                               {plan_.seed, std::string(kHunted.name), plan_.index_of(first), {}});
+        return line;
+      });
+    }
+  }
+
   bool is_time_up(const JobsResult& all) const {
     return plan_.seconds && all.seconds + drawn_all_.seconds >= *plan_.seconds;
   }
@@ -150,7 +163,7 @@ Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to, c
   const auto on_saving = [&](const Progress& progress) {
     on_progress({.plan = hunting.plan(), .cases = progress, .cells = 0, .cells_drawn = {}});
   };
-  Journal journal(save_to.folder, hunting.plan());
+  Journal journal(save_to.folder, "hunt", hunting.plan().seed);
   const RunCases run = [&](Interruption& interruption) {
     return hunting.run(journal, interruption);
   };

@@ -4,29 +4,18 @@
 
 #include <fmt/format.h>
 
-#include "corpus/corpus.hpp"
-#include "hunting/hunted_pairs.hpp"
-
 namespace manifuzz {
 
-Journal::Journal(const std::string& folder, const Plan& plan) : plan_(plan) {
+Journal::Journal(const std::string& folder, std::string_view name, std::uint64_t seed) {
   if (!folder.empty())
-    file_ = std::filesystem::path(folder) / fmt::format("hunt-{}.jsonl", plan.seed);
+    file_ = std::filesystem::path(folder) / fmt::format("{}-{}.jsonl", name, seed);
 }
 
-void Journal::add(const Tally& tally) {
-  if (file_.empty()) return;
-  std::string lines;
-  for (const auto& [bucket, met] : tally.buckets.all()) {
-    if (bucket.fault == Fault::none || !known_.insert(index_of(bucket)).second) continue;
-    append_found_case_line(lines, plan_.work->draw(plan_, met->first),
-                           {plan_.seed, std::string(kHunted.name), plan_.index_of(met->first), {}});
-    lines += '\n';
-  }
-  if (lines.empty()) return;
+void Journal::add(std::size_t key, const std::function<std::string()>& line) {
+  if (file_.empty() || !known_.insert(key).second) return;
   std::error_code ignored;
   std::filesystem::create_directories(file_.parent_path(), ignored);
-  std::ofstream(file_, std::ios::app) << lines << std::flush;
+  std::ofstream(file_, std::ios::app) << line() << '\n' << std::flush;
 }
 
 void Journal::end() const {

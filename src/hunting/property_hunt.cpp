@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "campaign/in_child.hpp"
 #include "campaign/property_failure.hpp"
+#include "corpus/corpus.hpp"
 
 namespace manifuzz {
 namespace {
@@ -30,11 +31,6 @@ struct SmallestFailure {
   PropertyOutcome outcome;
 };
 
-bool is_lost(const PropertyOutcome& outcome) {
-  return outcome.why == lost_by(Ending::crashed).why ||
-         outcome.why == lost_by(Ending::timed_out).why;
-}
-
 SmallestFailure smallest_failure(const HuntedProperty& hunted, const Collider& subject,
                                  Interruption& interruption) {
   const Property& property = *hunted.property;
@@ -46,7 +42,7 @@ SmallestFailure smallest_failure(const HuntedProperty& hunted, const Collider& s
       return;
     }
     smallest.outcome = root;
-    if (is_lost(root) || interruption.state() != Interruption::State::running) return;
+    if (root.is_lost || interruption.state() != Interruption::State::running) return;
     const PairCase pair = shrink_failure(property, subject, smallest.pair, root, interruption);
     const PropertyOutcome outcome = check_in_child(property, subject, pair, interruption);
     if (fails_alike(outcome, root)) smallest = {pair, outcome};
@@ -99,6 +95,22 @@ PropertyResult result_of(const HuntedProperty& hunted, const Collider& subject,
   return result;
 }
 
+/// Keeps the first case on which each property fails.
+void keep(Journal& journal, const PropertyChecks& bred, const Plan& plan) {
+  for (std::size_t k = 0; k < bred.hunted().size(); ++k) {
+    const HuntedProperty& hunted = bred.hunted()[k];
+    if (!hunted.first) continue;
+    journal.add(k, [&] {
+      std::string line;
+      append_found_case_line(
+          line, bred.pair(plan, *hunted.first),
+          {plan.seed, std::string(kHunted.name), plan.index_of(*hunted.first), {}},
+          hunted.property->name);
+      return line;
+    });
+  }
+}
+
 }  // namespace
 
 PropertyHunt hunt_properties(const PropertyHuntPlan& hunt, Interruption& interruption,
@@ -107,6 +119,7 @@ PropertyHunt hunt_properties(const PropertyHuntPlan& hunt, Interruption& interru
   const auto bred = std::make_shared<PropertyChecks>(hunt.properties, plan);
   plan.regimes = {&kHunted};
   plan.work = bred;
+  Journal journal(hunt.save_to, "property", hunt.seed);
   JobsResult all{.tally = std::make_unique<Tally>()};
   const auto show = [&](const Progress& so_far) {
     on_progress({.cases = all.tally->cases() + so_far.tally.cases(),
@@ -121,19 +134,20 @@ PropertyHunt hunt_properties(const PropertyHuntPlan& hunt, Interruption& interru
     const JobsResult part = run_jobs(plan, cases, interruption, show);
     add(all, part);
     bred->end_checks(plan, part);
+    keep(journal, *bred, plan);
     bred->end_generation(*all.tally);
   }
   return {.hunted = bred->hunted(),
           .cases = all.tally->cases(),
           .seconds = all.seconds,
           .generations = bred->generations(),
-          .cells = bred->cell_count()};
+          .cells = bred->cell_count(),
+          .journal = std::move(journal)};
 }
 
 std::vector<CheckedProperty> checked_by_hunt(
     const PropertyHunt& hunt, const PropertyHuntPlan& plan, const Known& known,
-    const std::string& save_to, Interruption& interruption,
-    const std::function<void(const CheckedProperty&)>& on_checked) {
+    Interruption& interruption, const std::function<void(const CheckedProperty&)>& on_checked) {
   std::vector<CheckedProperty> all;
   for (const HuntedProperty& hunted : hunt.hunted) {
     const auto start = Clock::now();
@@ -141,10 +155,11 @@ std::vector<CheckedProperty> checked_by_hunt(
     // They were asked of one case after the other, so that each has a share of the time.
     checked.seconds = hunt.seconds / static_cast<double>(hunt.hunted.size()) + seconds_since(start);
     checked.hunted_by = hunted_by(plan);
-    if (!checked.result.passed) settle_failure(checked, plan.subject, known, save_to);
+    if (!checked.result.passed) settle_failure(checked, plan.subject, known, plan.save_to);
     on_checked(checked);
     all.push_back(checked);
   }
+  hunt.journal.end();
   return all;
 }
 

@@ -7,6 +7,7 @@
 
 #include "campaign/known.hpp"
 #include "campaign/replay.hpp"
+#include "hunting/journal.hpp"
 #include "hunting/property_checks.hpp"
 
 namespace manifuzz {
@@ -19,6 +20,7 @@ struct PropertyHuntPlan {
   std::uint64_t seed = 0;
   std::uint64_t cases = 0;
   int jobs = 1;
+  std::string save_to{};  ///< the findings' folder; empty: nothing is saved
 };
 
 /// How far it has come.
@@ -38,6 +40,7 @@ struct PropertyHunt {
   double seconds = 0;
   std::size_t generations = 0;
   std::size_t cells = 0;
+  Journal journal;  ///< property-SEED.jsonl, until the failures are saved
 };
 
 /// Breeds cases, each by the seed and its number alone, and asks every property of each, until it
@@ -49,7 +52,6 @@ PropertyHunt hunt_properties(const PropertyHuntPlan& plan, Interruption& interru
 /// property is shrunk, or, once somebody has asked to stop, left as it was seen, and saved.
 std::vector<CheckedProperty> checked_by_hunt(
     const PropertyHunt& hunt, const PropertyHuntPlan& plan, const Known& known,
-    const std::string& save_to, Interruption& interruption,
-    const std::function<void(const CheckedProperty&)>& on_checked);
+    Interruption& interruption, const std::function<void(const CheckedProperty&)>& on_checked);
 
 }  // namespace manifuzz

@@ -24,6 +24,7 @@ struct PropertyOutcome {
   Kind kind = Kind::holds;
   std::string why;       ///< of a failure, for people
   double magnitude = 0;  ///< of a failure, as a share of the size
+  bool is_lost = false;  ///< of a failure: the collider died or hung
   /// Where the property holds: the greatest share of its bound that anything compared takes, at
   /// most 1; 0 where nothing is measured.
   double of_bound = 0;

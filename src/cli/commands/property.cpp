@@ -79,14 +79,14 @@ std::vector<CheckedProperty> check_hunted(const PropertySession& session, const 
                               .corpus = session.corpus,
                               .seed = session.seed,
                               .cases = options.cases.value_or(kDefaultCases),
-                              .jobs = jobs_of(options.jobs)};
+                              .jobs = jobs_of(options.jobs),
+                              .save_to = options.folders.save_to()};
   Interruption interruption;  // until it is saved: a signal between the steps ends no step
   const PropertyHunt hunt = hunt_properties(
       plan, interruption,
       [&](const PropertyHuntProgress& progress) { line.show(property_hunt_line(progress)); });
   row = property_hunt_row(hunt);
-  return checked_by_hunt(hunt, plan, session.known, options.folders.save_to(), interruption,
-                         session.tell);
+  return checked_by_hunt(hunt, plan, session.known, interruption, session.tell);
 }
 
 int hold_properties(PropertyArguments& options) {

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/text.hpp"
+#include "corpus/corpus.hpp"
 #include "hunting/rare_bugs.hpp"
 #include "hunting/rare_colliders.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -29,15 +30,16 @@ PropertyHuntPlan property_plan_of(const Collider& subject,
   return plan;
 }
 
+/// Until the failures are saved.
 PropertyHunt run_property(const PropertyHuntPlan& plan) {
   Interruption interruption;
   return hunt_properties(plan, interruption, [](const PropertyHuntProgress&) {});
 }
 
-std::vector<CheckedProperty> checked(const PropertyHuntPlan& plan, const std::string& save_to) {
+std::vector<CheckedProperty> checked(PropertyHuntPlan plan, const std::string& save_to) {
+  plan.save_to = save_to;
   Interruption interruption;
-  return checked_by_hunt(run_property(plan), plan, {}, save_to, interruption,
-                         [](const CheckedProperty&) {});
+  return checked_by_hunt(run_property(plan), plan, {}, interruption, [](const CheckedProperty&) {});
 }
 
 /// The clip, which dies of shapes with eight vertices.
@@ -119,6 +121,27 @@ TEST_CASE("a hunt finds a property's failure that as many drawn cases do not, an
   CHECK(check(property, plan.subject, saved.pair()).kind == PropertyOutcome::Kind::fails);
   CHECK(check(property, make_clip(), saved.pair()).kind == PropertyOutcome::Kind::holds);
   CHECK(failed.names_again() == "depth-is-overlap --hunt --cases 60000");
+}
+
+TEST_CASE("what fails properties stands in a file until a hunt of them has saved it") {
+  const TemporaryFolder folder;
+  PropertyHuntPlan plan =
+      property_plan_of(too_deep_heptagons(), {"depth-is-overlap", "renumbering"}, 6000);
+  plan.save_to = folder.path().string();
+  const std::filesystem::path journal = folder.path() / "property-4.jsonl";
+  {
+    run_property(plan);  // and no more, as of a hunt that is killed
+    const Corpus left = read_corpus_folder(folder.path());
+    REQUIRE(left.cases.size() == 1);
+    const CorpusCase& first = left.cases.front();
+    CHECK(first.property == "depth-is-overlap");
+    const Property& property = *find_by_name(properties(), first.property);
+    CHECK(check(property, plan.subject, first.pair()).kind == PropertyOutcome::Kind::fails);
+    std::filesystem::remove(journal);
+  }
+  const std::vector<CheckedProperty> saved = checked(plan, plan.save_to);
+  CHECK(std::ranges::count_if(saved, [](const auto& one) { return !one.saved.empty(); }) == 1);
+  CHECK_FALSE(std::filesystem::exists(journal));
 }
 
 TEST_CASE("a collider that dies fails the property that asked it, and the hunt goes on") {
