@@ -108,13 +108,19 @@ Mismatch mismatch_within(const Manifold<double>& manifold, const Clip& clip,
 
 }  // namespace
 
+Bounds bounds_of_face(const Admissible& right, const Clip& clip) {
+  Bounds bounds = right.bounds;
+  const double turn = face_turn(bounds, *clip.pair, clip.reference);
+  const double of_lengths = turn * (right.truth->extent() + total_radius(right.pair()));
+  bounds.normal += turn;
+  bounds.separation += of_lengths;
+  bounds.position += of_lengths;
+  return bounds;
+}
+
 Admissible with_face_of(const Admissible& right, const Clip& clip) {
   Admissible result = right;
-  const double turn = face_turn(right.bounds, *clip.pair, clip.reference);
-  const double of_lengths = turn * (right.truth->extent() + total_radius(right.pair()));
-  result.bounds.normal += turn;
-  result.bounds.separation += of_lengths;
-  result.bounds.position += of_lengths;
+  result.bounds = bounds_of_face(right, clip);
   return result;
 }
 

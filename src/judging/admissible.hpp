@@ -65,8 +65,9 @@ inline double depth_bound(const Admissible& right, const exact::Clip& clip,
   return depth_bound(right.bounds, clip, point);
 }
 
-/// What is right, with what the normal of this clip's face may be off by, and what such a normal
-/// moves, where it is taken from vertices that were rounded.
+/// The bounds with what the normal of this clip's face may be off by, and what such a normal moves,
+/// where it is taken from vertices that were rounded; and what is right within them.
+Bounds bounds_of_face(const Admissible& right, const exact::Clip& clip);
 Admissible with_face_of(const Admissible& right, const exact::Clip& clip);
 
 /// Whether the incident edge misses the slab, or nearly; or the slab is narrower than rounding.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "judging/by_curve.hpp"
+#include "judging/curve_answer.hpp"
 
 namespace manifuzz {
 
@@ -18,7 +19,8 @@ double curve_share(const exact::Truth& truth, const ColliderAnswer& given) {
   const auto said = said_along(given.answer);
   const bool is_held_to_bounds = declaration.tie_bias.is_none() && declaration.tolerance.is_none();
   if (!said || !touches(given.answer) || !is_held_to_bounds) return 0;
-  const CurveBounds bounds = curve_bounds(truth.pair(), declaration, truth.extent());
+  const CurveBounds bounds = with_turned_faces(
+      truth, said_by(given.answer), curve_bounds(truth.pair(), declaration, truth.extent()));
   const exact::PenetrationCurve curve(truth, exact::skin_of(truth));
   return std::abs(said->depth - curve.least()) / bounds.minimality;
 }

@@ -14,7 +14,8 @@ namespace manifuzz {
 ManifoldError clip_shares(const Manifold<double>& manifold, const Admissible& right);
 
 /// The share of its bound that a depth takes which the penetration curve judges, against the least
-/// depth. A collider that declares a tolerance or a tie bias has none: its answers may be off by
+/// depth: somewhat above 1 where the depth is off from that along the normal, and that from the
+/// least. A collider that declares a tolerance or a tie bias has none: its answers may be off by
 /// more than bounds.
 double curve_share(const exact::Truth& truth, const ColliderAnswer& given);
 

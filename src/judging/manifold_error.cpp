@@ -81,7 +81,8 @@ std::optional<ErrorAgainstClip> nearest_error(const Manifold<double>& manifold,
   std::optional<ErrorAgainstClip> nearest;
   for (const exact::Clip* clip : right.candidates) {
     if (manifold.count == 0 || clip->count == 0) continue;
-    const ErrorAgainstClip measured = error_against(manifold, figures.of(*clip), right.bounds);
+    const ErrorAgainstClip measured =
+        error_against(manifold, figures.of(*clip), bounds_of_face(right, *clip));
     if (!nearest || distance(measured) < distance(*nearest)) nearest = measured;
   }
   return nearest;
@@ -92,7 +93,8 @@ std::optional<ErrorAgainstClip> error_if_right(const Manifold<double>& manifold,
   std::optional<ErrorAgainstClip> nearest;
   for (const exact::Clip* clip : right.candidates) {
     if (manifold.count == 0 || mismatch(manifold, *clip, right).kind != Kind::none) continue;
-    const ErrorAgainstClip measured = error_against(manifold, figures.of(*clip), right.bounds);
+    const ErrorAgainstClip measured =
+        error_against(manifold, figures.of(*clip), bounds_of_face(right, *clip));
     if (!nearest || largest(measured.of_bound) < largest(nearest->of_bound)) nearest = measured;
   }
   return nearest;
