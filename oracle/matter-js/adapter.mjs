@@ -2,7 +2,10 @@
 import Matter from "matter-js";
 import { serve, toWorld, versionOf } from "../../scripts/colliders/js/protocol.mjs";
 
-const { Body, Collision, Vertices } = Matter;
+const { Body, Vertices } = Matter;
+
+// Before 0.18 another module had it, whose answer says itself whether they touch.
+const { collides } = Matter.Collision ?? Matter.SAT;
 
 const snippet = `@language js
 @point support $p, depth $d
@@ -45,9 +48,9 @@ function collide(a, b) {
   const bodies = [bodyOf(a), bodyOf(b)];
   const placed = bodies.every(({ position: { x, y } }) => Number.isFinite(x) && Number.isFinite(y));
   if (!placed) return { unsupported: "has no centre for a polygon whose area rounds to 0" };
-  const collision = Collision.collides(...bodies);
-  if (collision === null) return { points: [] };
-  const { depth, normal, supports, supportCount } = collision;
+  const collision = collides(...bodies);
+  if (!collision?.collided) return { points: [] };
+  const { depth, normal, supports, supportCount = supports.length } = collision;
   const points = supports.slice(0, supportCount).map(({ x, y }) => ({ position: [x, y] }));
   return { points, normal: [normal.x, normal.y], depth };
 }

@@ -1,9 +1,11 @@
 // Rapier's colliders of a case, for both of its adapters. It computes in float.
 import { readFileSync } from "node:fs";
 
-import RAPIER from "@dimforge/rapier2d-compat";
 import { versionOf } from "../../scripts/colliders/js/protocol.mjs";
 
+// Up to 0.17 the package names a file for node that node cannot read.
+const { default: RAPIER } = await import("@dimforge/rapier2d-compat").catch(
+  () => import("@dimforge/rapier2d-compat/rapier.es.js"));
 await RAPIER.init();
 const { ActiveCollisionTypes, ColliderDesc, RigidBodyDesc, World } = RAPIER;
 

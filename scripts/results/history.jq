@@ -1,0 +1,21 @@
+# Engines with what is known of their releases, oldest first, as the file of a history: each release
+# that was asked has `changes`, its faults against those of the release asked before it.
+
+def changes($before; $now):
+  [($before + $now | keys_unsorted[]) as $fault | ($before[$fault] // 0) as $was | ($now[$fault] // 0) as $is
+    | select($was != $is)
+    | {fault: $fault, change: (if $was == 0 then "came" elif $is == 0 then "went" elif $is > $was then "more" else "fewer" end),
+       before: $was, now: $is}]
+  | sort_by({came: 0, went: 1, more: 2, fewer: 3}[.change], -(.now - .before | fabs));
+
+def with_changes:
+  reduce .[] as $release ({before: null, releases: []};
+    if $release.reason then .releases += [$release]
+    else .before as $before
+      | .releases += [$release + if $before then {since: $before.version, changes: changes($before.faults; $release.faults)} else {} end]
+      | .before = $release
+    end)
+  | .releases;
+
+{format: "manifuzz/history/1", subject: "clip64", cases: $cases, seed: $seed,
+ engines: map(.releases |= with_changes)}
