@@ -1,5 +1,6 @@
 # Engines with what is known of their releases, oldest first, as the file of a history: each release
-# that was asked has `changes`, its faults against those of the release asked before it.
+# that was asked has `kind_changes` and `changes`, its kinds of wrong answers and its faults against
+# those of the release asked before it.
 
 def changes($before; $now):
   [($before + $now | keys_unsorted[]) as $fault | ($before[$fault] // 0) as $was | ($now[$fault] // 0) as $is
@@ -12,7 +13,8 @@ def with_changes:
   reduce .[] as $release ({before: null, releases: []};
     if $release.reason then .releases += [$release]
     else .before as $before
-      | .releases += [$release + if $before then {since: $before.version, changes: changes($before.faults; $release.faults)} else {} end]
+      | .releases += [$release + if $before then {since: $before.version,
+          kind_changes: changes($before.wrong; $release.wrong), changes: changes($before.faults; $release.faults)} else {} end]
       | .before = $release
     end)
   | .releases;

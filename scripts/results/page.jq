@@ -2,8 +2,9 @@
 # table of its faults over its releases. $style is the page's style.
 
 def html: tostring | @html;
-def in_a_million($cases): . * 1000000 / $cases | . * 10 | round | . / 10;
 def times: if . == 1 then "once" else "\(.) times" end;
+
+def count($one; $many): if . == 1 then "1 \($one)" else "\(.) \($many)" end;
 
 # A cause without the collider's name, which the heading has.
 def short($collider): ltrimstr("\($collider)-");
@@ -12,32 +13,50 @@ def change_in_words($collider):
   "<li class=\"\(.change)\"><b>\(.change)</b> <span>\(.fault | short($collider) | html)</span> <small>\(
     if .change == "came" then .now | times elif .change == "went" then "\(.before | times) before" else "\(.before) → \(.now)" end)</small></li>";
 
+# What came and went; what is only met more or less often is in the table. What a cause explains since
+# has not gone.
+def changes_in_words($collider; $one; $many):
+  map(select(.fault != "unexplained")) as $of
+  | ($of | map(select(.change | IN("came", "went")))) as $new
+  | ($of - $new | length) as $rest
+  | ($new | map(change_in_words($collider)) | join(""))
+    + (if $rest > 0 then "<li>\($rest | count($one; $many)) more or less often</li>" else "" end)
+    + (map(select(.fault == "unexplained") | "<li>unexplained <small>\(.before | times) before, \(.now) now</small></li>") | join(""));
+
 def release_in_words($collider):
   if .reason then "<dt>\(.version | html)</dt><dd class=\"none\">not asked: \(.reason | html)</dd>"
   elif .changes == null then empty
-  elif .changes == [] then "<dt>\(.version | html)</dt><dd class=\"none\">answers as \(.since | html) does, fault by fault</dd>"
-  else "<dt>\(.version | html)</dt><dd><ul>\(.changes | map(change_in_words($collider)) | join(""))</ul></dd>" end;
+  elif .changes + .kind_changes == [] then "<dt>\(.version | html)</dt><dd class=\"none\">as often wrong as \(.since | html), for the same causes</dd>"
+  else "<dt>\(.version | html)</dt><dd><ul>\(.kind_changes | changes_in_words($collider; "kind"; "kinds"))\(.changes | changes_in_words($collider; "cause"; "causes"))</ul></dd>" end;
 
-def cell($fault):
-  (.faults[$fault] // 0) as $count
-  | ((.changes // []) | map(select(.fault == $fault)) | first) as $change
+def cell($fault; $counts; $changes):
+  ($counts[$fault] // 0) as $count
+  | ($changes // [] | map(select(.fault == $fault)) | first) as $change
   | "<td class=\"\(if $change then $change.change elif $count == 0 then "none" else "same" end)\">"
     + (if $count == 0 then "–" else $count | tostring end)
     + (if $change then " <small>\({came: "came", went: "went", more: "+\($change.now - $change.before)",
         fewer: "−\($change.before - $change.now)"}[$change.change])</small>" else "" end) + "</td>";
 
-def table:
-  . as $of | [.releases[] | select(.reason | not)] as $asked
-  | ([$asked[] | .faults // {} | keys_unsorted[]] | reduce .[] as $one ([]; if index($one) then . else . + [$one] end)
-     | sort_by(startswith("unexplained: "))) as $faults
-  | "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Faults of \(.collider | html), by release\"><table>
-<thead><tr><th scope=\"col\">fault</th>\($asked | map("<th scope=\"col\">\(.version | html)</th>") | join(""))</tr></thead>
-<tbody>
+# Rows of what is counted in .[$of] of releases, with what changed in .[$changed].
+def rows($collider; $what; $of; $changed):
+  . as $asked
+  | ([.[] | .[$of] | keys_unsorted[]] | reduce .[] as $one ([]; if index($one) then . else . + [$one] end)
+     | sort_by(. == "unexplained")) as $counted
+  | "<tbody>
+<tr class=\"head\"><th scope=\"rowgroup\" colspan=\"\(length + 1)\">\($what)</th></tr>
 "
-  + ($faults | map(. as $fault | "<tr><th scope=\"row\">\($fault | short($of.collider) | html)</th>"
-      + ($asked | map(cell($fault)) | join("")) + "</tr>\n") | join(""))
-  + "</tbody>
-<tfoot><tr><th scope=\"row\">wrong in a million</th>\($asked | map("<td>\(.cases as $cases | [.wrong[]] | add // 0 | in_a_million($cases) | round)</td>") | join(""))</tr></tfoot>
+  + ($counted | map(. as $fault | "<tr><th scope=\"row\">\($fault | short($collider) | html)</th>"
+      + ($asked | map(cell($fault; .[$of]; .[$changed])) | join("")) + "</tr>\n") | join(""))
+  + "</tbody>\n";
+
+def table:
+  .collider as $collider | [.releases[] | select(.reason | not)]
+  | "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Faults of \($collider | html), by release\"><table>
+<thead><tr><th scope=\"col\">release</th>\(map("<th scope=\"col\">\(.version | html)</th>") | join(""))</tr></thead>
+"
+  + rows($collider; "Wrong answers, by kind"; "wrong"; "kind_changes")
+  + rows($collider; "The same answers, by cause"; "faults"; "changes")
+  + "<tfoot><tr><th scope=\"row\">wrong in a million</th>\(map("<td>\([.wrong_in_a_million[]] | add // 0 | round)</td>") | join(""))</tr></tfoot>
 </table></div>";
 
 def section:
@@ -50,9 +69,11 @@ def section:
 </section>";
 
 def overview:
-  [.engines[] | .collider as $collider | .releases[] | .changes // [] | .[] | .change] as $all
-  | "\(.engines | length) colliders, \([.engines[].releases[] | select(.reason | not)] | length) releases asked: "
-    + "\([$all[] | select(. == "came")] | length) faults came, \([$all[] | select(. == "went")] | length) went.";
+  [.engines[].releases[] | select(.reason | not)] as $asked
+  | def of($change; $changed; $one; $many):
+      [$asked[] | .[$changed] // [] | .[] | select(.change == $change and .fault != "unexplained")] | length | count($one; $many);
+  def all($change): of($change; "kind_changes"; "kind of wrong answers"; "kinds of wrong answers") + " and " + of($change; "changes"; "cause"; "causes") + " \($change)";
+  "\(.engines | length | count("collider"; "colliders")), \($asked | length | count("release"; "releases")) asked: \(all("came")), \(all("went")).";
 
 "<!doctype html>
 <html lang=\"en\">
@@ -68,7 +89,7 @@ def overview:
 <main>
 <h1>Faults of engines by release</h1>
 <p>\(overview)</p>
-<p class=\"quiet\">Each release was asked the same \(.cases) cases (seed \(.seed)) against \(.subject | html). A fault is a cause of the ledger of the pinned release, or, where none explains an answer, a kind of wrong answer; numbers are cases. A cause is recognised by the steps of the pinned release: where an older one computes otherwise, its answers may count as unexplained.</p>
+<p class=\"quiet\">Each release was asked the same \(.cases) cases (seed \(.seed)) against \(.subject | html); numbers are cases. A cause is recognised by the steps of the pinned release, the last one: an older release may compute otherwise, and then its answers count as unexplained. Kinds do not depend on that.</p>
 <nav aria-label=\"Colliders\">\(.engines | map("<a href=\"#\(.collider | html)\">\(.collider | html)</a>") | join(" "))</nav>
 \(.engines | map(section) | join("\n"))
 </main>
