@@ -5,7 +5,8 @@
 def changes($before; $now):
   [($before + $now | keys_unsorted[]) as $fault | ($before[$fault] // 0) as $was | ($now[$fault] // 0) as $is
     | select($was != $is)
-    | {fault: $fault, change: (if $was == 0 then "came" elif $is == 0 then "went" elif $is > $was then "more" else "fewer" end),
+    | ($fault != "unexplained") as $is_told  # what is explained since, or no more, neither went nor came
+    | {fault: $fault, change: (if $is_told and $was == 0 then "came" elif $is_told and $is == 0 then "went" elif $is > $was then "more" else "fewer" end),
        before: $was, now: $is}]
   | sort_by({came: 0, went: 1, more: 2, fewer: 3}[.change], -(.now - .before | fabs));
 

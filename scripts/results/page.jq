@@ -13,8 +13,7 @@ def change_in_words($collider):
   "<li class=\"\(.change)\"><b>\(.change)</b> <span>\(.fault | short($collider) | html)</span> <small>\(
     if .change == "came" then .now | times elif .change == "went" then "\(.before | times) before" else "\(.before) → \(.now)" end)</small></li>";
 
-# What came and went; what is only met more or less often is in the table. What a cause explains since
-# has not gone.
+# What came and went; what is only met more or less often is in the table.
 def changes_in_words($collider; $one; $many):
   map(select(.fault != "unexplained")) as $of
   | ($of | map(select(.change | IN("came", "went")))) as $new
