@@ -13,7 +13,6 @@ const off = (p, q, low) => lengthOf(minus(minus(p, q), low));
 const turn = ([c, s], [x, y]) => [c * x - s * y, s * x + c * y]; // R v
 const turnBack = ([c, s], [x, y]) => [c * x + s * y, c * y - s * x]; // R^T v
 const inFrameOfA = (r, normal) => turnBack(r, normal).map((x) => x / lengthOf(r));
-const lines = (text) => text.split("\n").filter((line) => line.trim());
 
 // Every number of a shape and its pose is a float; the file has its shortest decimals.
 const asFloats = (key, value) => (typeof value === "number" ? Math.fround(value) : value);
@@ -147,8 +146,10 @@ function ask([program, ...words], cases) {
   };
   const input = cases.map(({ a, b }) => JSON.stringify({ a: withNormals(a), b: withNormals(b) }) + "\n").join("");
   const stdio = ["pipe", "pipe", "inherit"];
-  const { stdout, error } = spawnSync(program, words, { input, stdio, maxBuffer: 1e9 });
+  const { stdout, error, status, signal } = spawnSync(program, words, { input, stdio, maxBuffer: 1e9 });
   if (error && error.code !== "EPIPE") throw error;
+  const how = signal ?? `status ${status}`;
+  if (status !== 0) throw new Error(`${program} ended with ${how}; 0 is expected, after an answer to each case`);
   return stdout.toString();
 }
 
@@ -161,7 +162,8 @@ function parse(text, name) {
       throw new Error(`${name}:${i + 1}: no JSON: ${error.message}`);
     }
   });
-  const declared = answers[0]?.declaration ? answers.shift().declaration : {};
+  const declared = answers[0]?.declaration === undefined ? {} : answers.shift().declaration;
+  if (Object.getPrototypeOf(declared ?? 0) !== Object.prototype) throw new Error(`${name}: its declaration is no object`);
   const only = { tie_bias: [0], claims: ["manifold"], clips: [true], points: ["clip"], normal: ["a_to_b"],
     second_point: ["clip", "never"], scalar: ["float32", "float64"] };
   for (const [key, value] of Object.entries(declared)) {
@@ -179,6 +181,16 @@ function takes(declared, { a, b, round }) {
     vertices.length >= least && (vertices.length < 3 || takesRound || (!rounding && radius === 0)));
 }
 
+function readCase(line, place) {
+  try {
+    const read = JSON.parse(line);
+    if (read.format === "manifuzz/conformance/1") return read;
+  } catch {
+    // It is no JSON.
+  }
+  throw new Error(`${place}: a case of manifuzz/conformance/1 is expected`);
+}
+
 function check(words) {
   const end = [...words, "--"].indexOf("--");
   const [own, command] = [words.slice(0, end), words.slice(end + 1)];
@@ -190,10 +202,11 @@ function check(words) {
       + "--cases FILE, --scalar float32|float64, --each");
   }
   const suite = file ?? fileURLToPath(new URL("cases.jsonl", import.meta.url));
-  const all = lines(readFileSync(suite, "utf8")).map((line) => {
-    const { a, b, ...rest } = JSON.parse(line);
+  const all = readFileSync(suite, "utf8").split("\n").flatMap((line, i) => {
+    if (!line.trim()) return [];
+    const { a, b, ...rest } = readCase(line, `${suite}:${i + 1}`);
     const placed = (body) => ({ position: [0, 0], rotation: [1, 0], ...JSON.parse(JSON.stringify(body), asFloats) });
-    return { ...rest, a: placed(a), b: placed(b) };
+    return [{ ...rest, a: placed(a), b: placed(b) }];
   });
   const first = all.filter(({ round }) => !round).slice(0, 1);
   const asked = command.length ? parse(ask(command, first), command[0]) : null;
@@ -209,6 +222,9 @@ function check(words) {
     throw new Error(`${answers.length} answers; ${cases.length} are expected, a line a case`);
   }
   let [wrong, unsupported] = [0, all.length - cases.length];
+  if (answers.filter((answer) => answer?.unsupported === undefined).length === 0) {
+    throw new Error(`none of ${all.length} cases was answered; nothing is checked`);
+  }
   for (const [i, given] of cases.entries()) {
     const isAsked = answers[i]?.unsupported === undefined;
     const why = isAsked ? whyWrong(given, answers[i], scalar) : undefined;

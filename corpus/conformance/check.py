@@ -171,7 +171,11 @@ def ask(command, cases):
     """What a program says when it is given the cases, their numbers with all digits."""
     lines = [json.dumps({side: {**case[side], "normals": normals(case[side]["vertices"])} for side in "ab"})
              for case in cases]
-    return subprocess.run(command, input="\n".join(lines) + "\n", stdout=subprocess.PIPE, text=True).stdout
+    ended = subprocess.run(command, input="\n".join(lines) + "\n", stdout=subprocess.PIPE, text=True)
+    if ended.returncode:
+        how = f"status {ended.returncode}" if ended.returncode > 0 else f"signal {-ended.returncode}"
+        raise ValueError(f"{command[0]} ended with {how}; 0 is expected, after an answer to each case")
+    return ended.stdout
 
 
 def parse(text, name):
@@ -184,6 +188,8 @@ def parse(text, name):
             raise ValueError(f"{name}:{number}: no JSON: {error}") from error
     is_declared = answers and isinstance(answers[0], dict) and "declaration" in answers[0]
     declared = answers.pop(0)["declaration"] if is_declared else {}
+    if not isinstance(declared, dict):
+        raise ValueError(f"{name}: its declaration is no object")
     only = {"tie_bias": [0], "claims": ["manifold"], "clips": [True], "points": ["clip"], "normal": ["a_to_b"],
             "second_point": ["clip", "never"], "scalar": ["float32", "float64"]}
     for key, value in declared.items():
@@ -210,7 +216,14 @@ def takes(declared, case):
 
 
 def read_cases(path):
-    cases = [json.loads(line) for line in Path(path).read_text().splitlines()]
+    cases = []
+    for number, line in enumerate(Path(path).read_text().splitlines(), 1):
+        try:
+            cases += [json.loads(line)] if line.strip() else []
+            if line.strip() and cases[-1]["format"] != "manifuzz/conformance/1":
+                raise ValueError("another format")
+        except (ValueError, KeyError, TypeError) as error:
+            raise ValueError(f"{path}:{number}: a case of manifuzz/conformance/1 is expected") from error
     for case in cases:
         case.update({side: as_floats({"position": [0, 0], "rotation": [1, 0], **case[side]}) for side in "ab"})
     return cases
@@ -237,6 +250,8 @@ def check(options):
         if options.each or (why and wrong <= 10):
             print(f"{case['name']}: {why or ('right' if is_asked else 'unsupported')}")
     unsupported += left - len(cases)
+    if unsupported == left:
+        raise ValueError(f"none of {left} cases was answered; nothing is checked")
     print(f"{'fail' if wrong else 'pass'}: {wrong} of {len(cases)} wrong, {unsupported} unsupported, as {scalar}")
     return 1 if wrong else 0
 
@@ -247,10 +262,14 @@ def main():
     parser.add_argument("--cases", default=Path(__file__).with_name("cases.jsonl"), help="default: cases.jsonl")
     parser.add_argument("--scalar", choices=("float32", "float64"), help="default: as declared, else float32")
     parser.add_argument("--each", action="store_true", help="print a line for each case")
+    def refuse(why):  # in one line
+        raise ValueError(why)
+
+    parser.error = refuse
     words = sys.argv[1:] + ["--"]
-    options = parser.parse_args(words[:words.index("--")])
-    options.command = words[words.index("--") + 1:-1]
     try:
+        options = parser.parse_args(words[:words.index("--")])
+        options.command = words[words.index("--") + 1:-1]
         if bool(options.answers) == bool(options.command):
             raise ValueError("either a file of answers or, after --, a command is expected")
         return check(options)

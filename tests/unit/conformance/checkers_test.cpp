@@ -192,6 +192,8 @@ TEST_CASE("bad input to a checker is one line on what is wrong, and status 2") {
   const std::string broken = folder.write("broken.jsonl", "{\"points\": []}\n{\n");
   const std::string biased = folder.write(
       "biased.jsonl", "{\"declaration\": {\"name\": \"mine\", \"tie_bias\": 0.0005}}\n");
+  const std::string named = folder.write("named.jsonl", "{\"declaration\": \"mine\"}\n");
+  const std::string unsupported = folder.write("unsupported.jsonl", "{\"unsupported\": \"\"}\n");
   for (const Checker& checker : kCheckers) {
     if (!is_there(checker)) return;
     const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
@@ -199,6 +201,9 @@ TEST_CASE("bad input to a checker is one line on what is wrong, and status 2") {
         {{broken}, "broken.jsonl:2: no JSON"},
         {{biased}, "declares tie_bias 0.0005"},
         {{folder.path().string() + "/none"}, "none"},
+        {{named}, "its declaration is no object"},
+        {{unsupported, "--cases", unsupported}, "a case of manifuzz/conformance/1 is expected"},
+        {{"--", "false"}, "false ended with status 1"},
         {{}, "either a file of answers or, after --, a command is expected"}};
     for (const auto& [words, expected] : bad) {
       CAPTURE(checker.script, expected);
