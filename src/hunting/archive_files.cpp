@@ -93,11 +93,8 @@ ArchivedCase read_archived(std::string_view text) {
   return one;
 }
 
-/// Throws UserError where the first line is another than that of this share with these lines.
-void expect_whole(const ArchiveFolder& folder, const RoundShare& of, std::string_view first,
-                  std::string_view rest) {
-  const std::string expected = first_line(folder, of, rest);
-  if (first == expected) return;
+/// Throws UserError where the first line of an archive names another hunt than the folder's.
+void expect_this_hunt(const ArchiveFolder& folder, std::string_view first) {
   std::optional<std::string> hunt;
   try {
     const JsonTree tree = parse_json(first);
@@ -111,6 +108,13 @@ void expect_whole(const ArchiveFolder& folder, const RoundShare& of, std::string
     throw UserError(fmt::format("is of another hunt ({}); one of this hunt is expected ({})",
                                 printable(*hunt, 300), printable(folder.hunt, 300)));
   }
+}
+
+/// Throws UserError where the first line is another than that of this share with these lines.
+void expect_whole(const ArchiveFolder& folder, const RoundShare& of, std::string_view first,
+                  std::string_view rest) {
+  if (first == first_line(folder, of, rest)) return;
+  expect_this_hunt(folder, first);
   throw UserError("is no whole archive of this share; delete it, and run its share again");
 }
 
@@ -131,6 +135,19 @@ void for_each_archive(const ArchiveFolder& folder, std::uint64_t round, const Us
 
 std::filesystem::path archive_file(const ArchiveFolder& folder, const RoundShare& of) {
   return folder.path / fmt::format("round-{}-share-{}.archive", of.round, of.share);
+}
+
+void expect_no_other_hunt(const ArchiveFolder& folder, const RoundShare& of) {
+  const std::filesystem::path path = archive_file(folder, of);
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown)) return;
+  InputFile file(path.string());
+  const std::string text = file.read_all(kLongestArchive);
+  try {
+    expect_this_hunt(folder, std::string_view(text).substr(0, text.find('\n')));
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("--archives: {}: {}", file.name(), error.what()));
+  }
 }
 
 void write_archive(const ArchiveFolder& folder, const RoundShare& of,

@@ -19,6 +19,9 @@ struct ArchiveFolder {
 /// round-ROUND-share-SHARE.archive of the folder.
 std::filesystem::path archive_file(const ArchiveFolder& folder, const RoundShare& of);
 
+/// Throws UserError where what that share writes would replace an archive of another hunt.
+void expect_no_other_hunt(const ArchiveFolder& folder, const RoundShare& of);
+
 /// Writes what that share has found, whole or not at all. Throws UserError.
 void write_archive(const ArchiveFolder& folder, const RoundShare& of,
                    const std::vector<ArchivedCase>& cases);

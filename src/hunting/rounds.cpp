@@ -41,6 +41,10 @@ void add_to(Archive& archive, Elite& elite, const ArchivedCase& one, const Aim& 
 
 void expect_cases_for_all(const Rounds& rounds) {
   if (rounds.shares <= rounds.cases / rounds.rounds) return;
+  if (rounds.cases < rounds.rounds) {
+    throw UserError(fmt::format("--rounds: {} are too many for {}; use at most {}", rounds.rounds,
+                                counted(rounds.cases, "case"), rounds.cases));
+  }
   throw UserError(
       fmt::format("--share: {} of {} are too many shares of {}; use at most {} in a round",
                   counted(rounds.rounds, "round"), rounds.shares, counted(rounds.cases, "case"),

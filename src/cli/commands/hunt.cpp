@@ -128,6 +128,7 @@ ArchiveFolder deal(HuntPlan& hunt, const HuntArguments& options) {
                            share.round, quoted_for_shell(options.archives));
   narrow_to(*hunt.rounds, share, hunt.plan);
   ArchiveFolder folder{options.archives, hunt.what, *hunt.rounds, hunt.measure};
+  expect_no_other_hunt(folder, share);
   if (share.round > 0) {
     hunt.founders.clear();
     hunt.earlier = read_rounds_before(folder, share.round);
