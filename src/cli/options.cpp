@@ -237,6 +237,11 @@ void expect_indices(std::uint64_t first, std::uint64_t cases, std::size_t regime
   throw UserError("--first: the last index would exceed 18446744073709551615; use fewer --cases");
 }
 
+void add_file_of_cases(CLI::App& app, std::string& file) {
+  add_text(app, "file", file, "FILE",
+           "file of cases: one if it ends in .json, else one a line; default: - for stdin");
+}
+
 void add_case_argument(CLI::App& app, CaseArgument& argument, const std::string& or_else) {
   add_text(app, "file", argument.name, "FILE",
            "a case's file, or - for stdin; or a bucket, or the beginning of a file name, in the "

@@ -88,6 +88,9 @@ struct CaseArgument {
   CorpusFolders folders{};  ///< the corpus that it is looked up in
 };
 
+/// Adds the argument of a command that reads many cases.
+void add_file_of_cases(CLI::App& app, std::string& file);
+
 /// Adds the argument, and --corpus.
 void add_case_argument(CLI::App& app, CaseArgument& argument, const std::string& or_else = "");
 

@@ -43,8 +43,7 @@ void add_collide_arguments(CLI::App& app, CollideArguments& options) {
   add_external_options(app, options.external);
   add_length(app, "--tie-bias", options.tie_bias,
              "how much greater the separation of B's face must be for B to become the reference");
-  app.add_option("FILE", options.file,
-                 "file of cases: one if it ends in .json, else one a line; default: - for stdin");
+  add_file_of_cases(app, options.file);
 }
 
 }  // namespace

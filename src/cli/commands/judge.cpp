@@ -70,8 +70,7 @@ void add_judge_arguments(CLI::App& app, JudgeArguments& options) {
                  "read the subject's answers from this file, one line a case, instead of asking "
                  "the subject")
       ->type_name("FILE");
-  app.add_option("FILE", options.file,
-                 "file of cases: one if it ends in .json, else one a line; default: - for stdin");
+  add_file_of_cases(app, options.file);
 }
 
 }  // namespace

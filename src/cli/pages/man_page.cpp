@@ -105,7 +105,8 @@ std::string man_page(const std::vector<CommandWords>& program, std::string_view 
   for (std::size_t i = 1; i < program.size(); ++i) page += section(program[i]);
   page +=
       ".SH EXIT STATUS\n.TP\n0\nall is well\n.TP\n1\nsomething was found\n"
-      ".TP\n2\nbad usage or input, which a line says; or a result could not be written\n";
+      ".TP\n2\nbad usage or input, which a line says; or a result could not be written\n"
+      ".TP\n130, 143\ninterrupted, and what was found until then is saved\n";
   page += ".SH WORDS\n";
   for (const Word& word : glossary()) {
     page += fmt::format(".TP\n{}\n{}\n", as_groff(word.word), as_groff(word.meaning));

@@ -22,6 +22,7 @@ constexpr ListOfValues kListsOfValues[] = {{"--subject", "manifuzz list collider
                                            {"WHAT", "manifuzz list"}};
 
 std::string list_of_values(const OptionWords& words) {
+  if (words.value.starts_with("LIBRARY")) return {};  // a path alone, and no name
   for (const auto& [name, command] : kListsOfValues) {
     const bool is_option = std::ranges::find(words.names, name) != words.names.end();
     if (is_option || words.argument == name) return std::string(command);
