@@ -209,7 +209,8 @@ void Beginning::tell(const Asked& asked) const {
   std::string text;
   for (const std::string& line : lines_) text += line + '\n';
   const std::string begin = this_program();
-  text += options_.folder == "." ? "next:\n" : fmt::format("next, in {}:\n", options_.folder);
+  text += options_.folder == "." ? "next:\n"
+                                 : fmt::format("next, in {}:\n", printable_path(options_.folder));
   text += fmt::format("  {} smoke {} --oracle {} --corpus {}    # what CI runs\n", begin,
                       options_again(asked.placed, {}), kOracle, kCorpus);
   if (to_commit_.empty()) {

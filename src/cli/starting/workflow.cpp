@@ -39,10 +39,15 @@ std::string line_of_git(const fs::path& tree, const std::string& arguments) {
   return std::string(said.substr(0, said.find('\n')));
 }
 
-/// Whether others can clone from there.
+/// Whether others can clone from there, and may read it: a token before the host is a secret.
 bool is_remote(const std::string& url) {
-  return (url.find("://") != std::string::npos && !url.starts_with("file:")) ||
-         url.starts_with("git@");
+  const auto scheme = url.find("://");
+  if (scheme == std::string::npos) return url.starts_with("git@");
+  if (url.starts_with("file:")) return false;
+  const std::string host = url.substr(scheme + 3, url.find('/', scheme + 3) - scheme - 3);
+  const auto user_end = host.find('@');
+  if (user_end == std::string::npos) return true;
+  return url.starts_with("ssh:") && host.find(':') > user_end;
 }
 
 /// As a scalar of YAML.
