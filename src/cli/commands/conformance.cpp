@@ -46,12 +46,14 @@ int write_suite(const ConformanceArguments& options) {
 void add_conformance_arguments(CLI::App& app, ConformanceArguments& options) {
   constexpr std::uint64_t kCasesMax = 1'000'000;
   add_whole_number(app, "--seed", options.seed, "random seed; default: 1");
-  add_whole_number(app, "--cases", options.cases, "number of cases; default: 2000", 1, kCasesMax);
-  app.add_option("--corpus", options.corpus,
-                 "folder of the worst cases, the witnesses and the picks; default: corpus")
-      ->type_name("DIR");
-  app.add_option("--output", options.output, "file for the cases; default: - for stdout")
-      ->type_name("FILE");
+  add_whole_number(
+      app, "--cases", options.cases,
+      "number of cases; the worst ones, the witnesses and the picks come first, however "
+      "many they are; default: 2000",
+      1, kCasesMax);
+  add_text(app, "--corpus", options.corpus, "DIR",
+           "folder of the worst cases, the witnesses and the picks; default: corpus");
+  add_text(app, "--output", options.output, "FILE", "file for the cases; default: - for stdout");
 }
 
 }  // namespace
