@@ -92,7 +92,8 @@ std::vector<CheckedProperty> check_hunted(const PropertySession& session, const 
 int hold_properties(PropertyArguments& options) {
   check_outputs({{options.folders.saved()}, options.folders.all()}, options.ci);
   if (options.is_hunt && !rc_params().empty()) {
-    throw UserError("RC_PARAMS: repeats a drawn case; --hunt draws none so");
+    throw UserError(
+        "RC_PARAMS: repeats a drawn case, which --hunt does not; unset it, or leave out --hunt");
   }
   const std::vector<const Property*> chosen =
       chosen_by_name(properties(), options.names, "property", "property");
