@@ -179,7 +179,7 @@ void add_buckets(CampaignResult& sum, const CampaignResult& run) {
   }
 }
 
-/// Of the sums, since what fires too often in one run may be chance, and the other way round.
+/// Judges the sums, since what fires too often in one run may be chance, and the other way round.
 void find_over_budget(CampaignResult& sum) {
   for (LedgerResult& row : sum.ledger) {
     row.over_budget.clear();

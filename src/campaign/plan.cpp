@@ -62,7 +62,7 @@ std::vector<const Regime*> regimes_for(const std::vector<Collider>& colliders,
   if (!names.empty()) return chosen;
   GenerationContext context{};
   narrow_to(colliders, context);
-  // Of each case many are drawn before one is given that nobody takes.
+  // Many cases are drawn before one is given that nobody takes.
   std::erase_if(chosen, [&](const Regime* regime) {
     return regime->is_round && !context.takes(generate(1, *regime, 0, context));
   });

@@ -25,7 +25,7 @@ bool was_against_subject(const Expectation& expect) {
          expect.bucket.starts_with("both/");
 }
 
-/// Of a failure that may be accepted by that key.
+/// What becomes of a failure that may be accepted by that key.
 Replayed failed_unless_accepted(const std::string& key, const WorstError& error, const Known& known,
                                 const std::string& expected, const std::string& got) {
   const KnownAs as = known_as(key, error, known);
@@ -54,7 +54,7 @@ Replayed replay_property(const CorpusCase& recorded, const Collider& subject, co
                                 {outcome.magnitude, {}}, known, sentence, outcome.why);
 }
 
-/// Of a subject that is wrong.
+/// Replays a case on which the subject is wrong.
 Replayed replay_wrong(const CorpusCase& recorded, const Judgement& judgement,
                       const Collider& subject, const Collider& oracle, const Known& known) {
   const std::string expected = fmt::format("{} to be right", subject.declaration.name);

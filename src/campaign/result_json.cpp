@@ -121,7 +121,7 @@ CasesRun read_part(const JsonView& part) {
           part.at("seconds").magnitude()};
 }
 
-/// Of a result that does not tell them: one.
+/// The one part of a result that tells of no parts.
 CasesRun only_part(const JsonView& root, const std::vector<RegimeResult>& regimes) {
   CasesRun part{whole_in(root, "seed"),
                 root.find("first") ? whole_in(root, "first") : 0,

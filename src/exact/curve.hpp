@@ -21,7 +21,7 @@ namespace manifuzz::exact {
 /// alone tell how deep they overlap (Box2D 2.4), or one that is round at corners.
 enum class Skin { mitred, round };
 
-/// That of the pair: round where either shape is.
+/// The skin of a pair: round where either shape is.
 inline Skin skin_of(const Truth& truth) {
   return is_round(truth.pair()) ? Skin::round : Skin::mitred;
 }

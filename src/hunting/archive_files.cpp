@@ -121,7 +121,7 @@ void expect_whole(const ArchiveFolder& folder, const RoundShare& of, std::string
 /// So many cases are kept in memory before any is left out.
 constexpr std::size_t kFewToThin = 1 << 18;
 
-/// Of all rounds before this one.
+/// Uses the archives of all rounds before this one.
 template <class Use>
 void for_each_archive(const ArchiveFolder& folder, std::uint64_t round, const Use& use) {
   for (std::uint64_t before = 0; before < round; ++before) {

@@ -32,9 +32,9 @@ constexpr const char* kSubjects = "subjects.json";
 constexpr const char* kWorkflowFile = ".github/workflows/manifuzz.yml";
 constexpr const char* kCorpus = "corpus";
 constexpr const char* kHeader = "manifuzz_collider.h";
-/// Of somebody's collider: enough that what CI meets later is of a kind that was met.
+/// Enough for somebody's collider: what CI meets later is of a kind that was met.
 constexpr std::uint64_t kCasesOfOwn = 1'000'000;
-/// Of one that is known to be right.
+/// Enough for a collider that is known to be right.
 constexpr std::uint64_t kCasesOfStarter = 20'000;
 
 struct InitArguments {
