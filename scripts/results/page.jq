@@ -54,7 +54,7 @@ def table:
 <thead><tr><th scope=\"col\">release</th>\(map("<th scope=\"col\">\(.version | html)</th>") | join(""))</tr></thead>
 "
   + rows($collider; "Wrong answers, by kind"; "wrong"; "kind_changes")
-  + rows($collider; "The same answers, by cause"; "faults"; "changes")
+  + rows($collider; "Causes of these answers"; "faults"; "changes")
   + "<tfoot><tr><th scope=\"row\">wrong in a million</th>\(map("<td>\([.wrong_in_a_million[]] | add // 0 | round)</td>") | join(""))</tr></tfoot>
 </table></div>";
 

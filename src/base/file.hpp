@@ -154,6 +154,9 @@ std::string why_no_folder(const std::filesystem::path& folder);
 /// that cannot be told.
 std::filesystem::path kept_path(const std::filesystem::path& path);
 
+/// The program beside manifuzz that has those of its commands that measure and hunt.
+inline constexpr std::string_view kMeasuringProgram = "manifuzz-measure";
+
 /// This program as it can be called again, relative to the working folder, so that a kept output
 /// holds no absolute path; for a shell.
 std::string this_program();

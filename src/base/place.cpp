@@ -105,8 +105,9 @@ fs::path kept_path(const fs::path& path) {
 
 std::string this_program() {
   std::error_code unknown;
-  const auto self = fs::read_symlink("/proc/self/exe", unknown);
+  fs::path self = fs::read_symlink("/proc/self/exe", unknown);
   if (unknown) return "manifuzz";
+  if (self.filename() == kMeasuringProgram) self.replace_filename("manifuzz");
   return quoted_for_shell(fs::relative(self, unknown).string());
 }
 

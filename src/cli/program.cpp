@@ -39,6 +39,15 @@ std::optional<std::string_view> asked_page(std::span<char* const> arguments) {
   return is_page(arguments[2]) ? std::optional<std::string_view>(arguments[2]) : std::nullopt;
 }
 
+/// What stands behind --help and is neither a page nor a command or an option.
+std::optional<std::string_view> missing_page(std::span<char* const> arguments) {
+  if (arguments.size() != 3 || arguments[1] != std::string_view("--help")) return std::nullopt;
+  const std::string_view name = arguments[2];
+  const bool is_known = is_page(name) || name.starts_with('-') ||
+                        std::ranges::find(commands(), name, &Command::name) != commands().end();
+  return is_known ? std::nullopt : std::optional(name);
+}
+
 /// The command that the arguments name, where it is none of this program's: the first word, since
 /// no option before it takes one. Pages of all options need all commands.
 const Command* command_elsewhere(std::span<char* const> arguments) {
@@ -57,7 +66,7 @@ const Command* command_elsewhere(std::span<char* const> arguments) {
 std::filesystem::path measuring_program() {
   std::error_code unknown;
   return std::filesystem::read_symlink("/proc/self/exe", unknown)
-      .replace_filename("manifuzz-measure");
+      .replace_filename(kMeasuringProgram);
 }
 
 int complain(std::string_view what) {
@@ -113,6 +122,10 @@ int run(int argc, char** argv) {
   if (const auto name = asked_page({argv, argv + argc})) {
     write_output(page(app, *name));
     return 0;
+  }
+  if (const auto name = missing_page({argv, argv + argc})) {
+    throw UserError(fmt::format("--help: there is no page {}; words, man, bash, zsh and fish are",
+                                printable(*name, 100)));
   }
   try {
     app.parse(argc, argv);

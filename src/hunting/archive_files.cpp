@@ -165,6 +165,9 @@ std::vector<ArchivedCase> read_archive(const ArchiveFolder& folder, const RoundS
     throw UserError(fmt::format("--archives: {} is not there; share {} of round {} writes it",
                                 printable_path(path), of.share, of.round));
   }
+  if (!std::filesystem::is_regular_file(path, unknown)) {  // a pipe may never answer
+    throw UserError(fmt::format("--archives: {} is no file", printable_path(path)));
+  }
   InputFile file(path.string());
   const std::string text = file.read_all(kLongestArchive);
   const std::size_t end_of_first = std::min(text.find('\n'), text.size() - 1) + 1;

@@ -49,7 +49,9 @@ Staging::Staging(const fs::path& folder) {
 Staging::~Staging() {
   std::error_code unremoved;
   fs::remove_all(temporary_, unremoved);
-  for (const fs::path& path : placed_ | std::views::reverse) fs::remove_all(path, unremoved);
+  for (const fs::path& path : placed_) fs::remove_all(path, unremoved);
+  // What somebody else has put into one keeps it.
+  for (const fs::path& folder : made_ | std::views::reverse) fs::remove(folder, unremoved);
 }
 
 void Staging::place(const std::vector<std::string>& names) {
@@ -59,7 +61,7 @@ void Staging::place(const std::vector<std::string>& names) {
     for (const fs::path& part : place.parent_path()) {
       folder /= part;
       std::error_code error;
-      if (fs::create_directory(folder, error)) placed_.push_back(folder);
+      if (fs::create_directory(folder, error)) made_.push_back(folder);
       if (error) fail_at(folder, "create the folder", error.value());
     }
     const int error = rename_to_free(at(name), place);
@@ -67,6 +69,7 @@ void Staging::place(const std::vector<std::string>& names) {
     placed_.push_back(place);
   }
   placed_.clear();
+  made_.clear();
   if (new_folder_) new_folder_->keep();
 }
 

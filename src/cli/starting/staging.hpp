@@ -26,7 +26,8 @@ class Staging {
  private:
   std::optional<NewFolder> new_folder_;
   std::filesystem::path temporary_;
-  std::vector<std::filesystem::path> placed_;  ///< folders that were made for it, too
+  std::vector<std::filesystem::path> placed_;
+  std::vector<std::filesystem::path> made_;  ///< folders for what is placed
 };
 
 }  // namespace manifuzz
