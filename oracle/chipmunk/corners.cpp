@@ -72,4 +72,9 @@ bool segment_normal_not_unit(const Deviation& d) {
   return false;
 }
 
+bool aborts_on_equal_corners(const LostAnswer& lost) {
+  return lost.how == Lost::How::crashed &&
+         munk::found_by(munk::kChipmunk, lost.pair).has_equal_corners;
+}
+
 }  // namespace manifuzz

@@ -39,6 +39,8 @@ bool normal_across_collinear(const Deviation& deviation);
 /// The depth of an end was found by a division by its edge's run along the tangent, which is short:
 /// it is off by that much more, or the wrong end was taken of an edge along the normal.
 bool depth_by_crossing(const Deviation& deviation);
+/// No answer: an edge that EPA was to expand had no length, and Chipmunk ends the program there.
+bool aborts_on_equal_corners(const LostAnswer& lost);
 /// What Chipmunk and its ports declare.
 const Declaration& as_chipmunk();
 /// B's vertices minus A's, in world directions: the corners, and more, of what GJK walks on.
@@ -58,6 +60,7 @@ inline constexpr LedgerRow kRowsOfMunk[] = {
     {"depth-by-crossing", depth_by_crossing},
     {"direction-between-corners", direction_between_corners},
     {"segment-normal-not-unit", segment_normal_not_unit},
+    {"epa-of-equal-corners", nullptr, aborts_on_equal_corners},
 };
 
 }  // namespace manifuzz

@@ -78,6 +78,7 @@ Found found_in_order(const Port& port, const Shape& a, const Shape& b) {
     touch_of_circle(a, b, b.corners[0] + along * share, b.normals[0], found);
   } else {
     const Closest closest = Search(port, a, b).run();
+    found.has_equal_corners = closest.has_equal_corners;
     const bool is_of_polygon = a.corners.size() > 1 && b.corners.size() > 2;
     if (is_of_polygon && !(closest.d - a.radius - b.radius <= 0)) return found;
     if (!(closest.d <= a.radius + b.radius)) return found;

@@ -32,6 +32,7 @@ struct Found {
   int count = 0;                 ///< of points
   Vector2<double> normal{0, 0};  ///< in the world, from A to B
   std::array<Touch, 2> points;
+  bool has_equal_corners = false;  ///< an edge that EPA was to expand had no length
 };
 
 /// All that a port does with a pair, in its order and in doubles.

@@ -113,6 +113,7 @@ struct Closest {
   Vector b;
   Vector n;
   double d = 0;
+  bool has_equal_corners = false;  ///< an edge that EPA was to expand had no length
 };
 
 /// GJK and EPA of two shapes.
@@ -180,6 +181,7 @@ class Search {
 
   /// EPA.
   Closest expanded(std::vector<Corner> hull) const {
+    bool has_equal_corners = false;
     for (int iteration = 1;; ++iteration) {
       const std::size_t count = hull.size();
       std::size_t least = 0;
@@ -193,10 +195,13 @@ class Search {
       }
       const Corner from = hull[least];
       const Corner to = hull[(least + 1) % count];
+      has_equal_corners = has_equal_corners || from.ab == to.ab;
       const Corner p = support(counter_clockwise_quarter<double>(to.ab - from.ab));
       const bool is_known = p.id == from.id || p.id == to.id;
       if (is_known || !is_greater(from.ab, to.ab, p.ab) || iteration >= kIterationsMax) {
-        return closest(from, to);
+        Closest found = closest(from, to);
+        found.has_equal_corners = has_equal_corners;
+        return found;
       }
       std::vector<Corner> grown{p};
       for (std::size_t i = 0; i < count; ++i) {

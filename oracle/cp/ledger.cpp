@@ -60,7 +60,8 @@ constexpr LedgerRow kFirstOfCp[] = {{"short-normal", normal_short_by_cp}};
 }  // namespace
 
 Engine engine_cp() {
-  static const auto others = rows_but_for({"direction-between-corners"}, kRowsOfMunk);
+  static const auto others =
+      rows_but_for({"direction-between-corners", "epa-of-equal-corners"}, kRowsOfMunk);
   return {.name = "cp", .ledger = {{"cp", kFirstOfCp}, {"cp", others}}};
 }
 

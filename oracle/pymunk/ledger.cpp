@@ -45,8 +45,9 @@ constexpr SequenceRow kKeptRows[] = {{"detection", detected_wrongly}};
 }  // namespace
 
 Engine engine_pymunk() {
-  static const auto first = rows_but_for(
-      {"polygon-radius-sign", "direction-between-corners", "segment-normal-not-unit"}, kRowsOfMunk);
+  static const auto first = rows_but_for({"polygon-radius-sign", "direction-between-corners",
+                                          "segment-normal-not-unit", "epa-of-equal-corners"},
+                                         kRowsOfMunk);
   return {.name = "pymunk",
           .ledger = {{"pymunk", first}, {"pymunk", kLastOfPymunk}},
           .sequence_ledger = {{"pymunk-kept", kKeptRows}}};

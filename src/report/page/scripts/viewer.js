@@ -238,7 +238,7 @@ async function drag(one) {
 
 // Where this page holds the playground.
 function dragButton(one) {
-  if (!byId("playground") || !one.isDrawable) return null;
+  if (byId("playground").textContent === "" || !one.isDrawable) return null;
   const node = button("Drag", () => {
     node.disabled = true;
     drag(one);
