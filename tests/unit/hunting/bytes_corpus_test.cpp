@@ -31,8 +31,10 @@ LibFuzzerOptions options_of(std::vector<std::string> words) {
 
 TEST_CASE("cases go from JSON to bytes and back, each once") {
   const TemporaryFolder folder;
+  const Found bred{.regime = std::string(kRegimeOfHunts), .versions = {}};
   for (std::uint64_t i = 0; i < 20; ++i) {
-    write_corpus_case(folder.path() / "cases", {.any = generate(1, regimes()[i], i)});
+    write_corpus_case(folder.path() / "cases",
+                      {.any = generate(1, regimes()[i], i), .found = bred});
   }
   const fs::path cases = folder.path() / "cases";
   const fs::path bytes = folder.path() / "bytes";
