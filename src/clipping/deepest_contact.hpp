@@ -62,10 +62,21 @@ Manifold<Scalar> lone_vertex(const ConvexPolygon<Scalar>& reference, Side side,
   return manifold;
 }
 
+/// Whether a point is no farther in front of a face than the deepest vertex, and in the face's
+/// slab, widened by `margin`, both but for `roundoff`; all are lengths.
+template <class Scalar>
+bool is_deepest_in_slab(const ConvexPolygon<Scalar>& polygon, const FaceSeparation<Scalar>& found,
+                        const Vector2<Scalar>& point, Scalar margin, Scalar roundoff) {
+  const Vector2<Scalar> from_face = point - polygon.vertices[found.face];
+  return polygon.normals[found.face].dot(from_face) <= found.separation + roundoff &&
+         slab_holds(polygon, found.face, point, margin + roundoff);
+}
+
 /// The manifold of a face whose slab holds the deepest of the overlap; empty where it does not. The
 /// incident edge is the most opposed one, or one that rounding cannot tell from it, whose clip is
-/// as deep as the face's separation; failing that, the deepest vertex alone if it lies in the slab,
-/// or the deepest clip where the vertex is outside the slab by rounding only.
+/// as deep as the face's separation; failing that, an end of such an edge alone that is as deep and
+/// lies in the slab, or the deepest clip where the end is outside the slab by rounding only. An
+/// end, since of a shape that is thinner than rounding any vertex may be called the deepest.
 template <class Scalar>
 Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      Side side, const FaceSeparation<Scalar>& found,
@@ -80,6 +91,8 @@ Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const Conve
   const Scalar least = normal.dot(opposing.normals[incident_edge(opposing, normal)]);
   Manifold<Scalar> deepest_clip;
   Scalar depth_of_clip = 0;
+  FaceSeparation<Scalar> lone = found;
+  bool has_lone = false;
   for (int j = 0; j < opposing.count; ++j) {
     if (normal.dot(opposing.normals[j]) > least + dot_roundoff) continue;
     Manifold<Scalar> clipped = clip_features<Scalar>(a, b, {side, found.face, j});
@@ -89,14 +102,21 @@ Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const Conve
       depth_of_clip = clipped.points[k].depth;
       deepest_clip = clipped;
     }
+    for (const int end : {j, opposing.next(j)}) {
+      if (has_lone && end != found.deepest) continue;
+      if (!is_deepest_in_slab(reference, found, opposing.vertices[end], slab_margin(a, b),
+                              roundoff)) {
+        continue;
+      }
+      lone.deepest = end;
+      has_lone = true;
+    }
   }
-  const Vector2<Scalar>& deepest = opposing.vertices[found.deepest];
-  const auto slab_holds_with = [&](Scalar margin) {
-    return slab_holds<Scalar>(reference, found.face, deepest, slab_margin(a, b) + margin);
-  };
-  if (!slab_holds_with(roundoff)) return {};
-  const bool clipped_off = deepest_clip.count > 0 && !slab_holds_with(0);
-  return clipped_off ? deepest_clip : lone_vertex(reference, side, found, opposing);
+  if (!has_lone) return {};
+  const bool clipped_off =
+      deepest_clip.count > 0 &&
+      !slab_holds(reference, found.face, opposing.vertices[lone.deepest], slab_margin(a, b));
+  return clipped_off ? deepest_clip : lone_vertex(reference, side, lone, opposing);
 }
 
 /// The manifold of overlapping polygons whose features were chosen so that the clip kept nothing:
