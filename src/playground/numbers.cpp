@@ -117,17 +117,13 @@ std::string add_answer(const exact::Truth& truth, const Collider& collider, Row&
   const Answer answer = collider.collide(truth.pair());
   const Judgement judgement = judge_alone(exact::unowned(truth), {collider.declaration, answer});
   const Manifold<double> manifold = *manifold_in(answer);
-  const bool has_normal = manifold.count > 0;
   row.add(is_unexplained(judgement.bucket.verdict) ? 0 : 1);
   row.add(judgement.of_subject.magnitude);
-  row.add(has_normal ? exact::Along(truth, manifold.normal).depth() : 0);
   row.add(manifold.count);
   row.add(manifold.reference == Side::b ? 1 : 0);
   row.add(world_normal(truth.pair(), manifold.normal));
-  row.add(manifold.normal);
   for (const ContactPoint<double>& point : manifold.points) {
     row.add(exact::seen_from_a(truth.pair(), point.position));
-    row.add(point.position);
     row.add(point.depth);
     row.add(point.features.a);
     row.add(point.features.b);

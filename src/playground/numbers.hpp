@@ -36,9 +36,8 @@ struct Told {
   ///   the whole edge: two ends, each its place and the reference's and the incident feature
   ///   both side clips: corner, inward, 1 where something is left, two ends as above
   ///   how far either end lies in front of the reference face; 1 where the clip is replaced
-  ///   the answers of clip64 and gjk64: 1 where right, magnitude of its error, depth that the curve
-  ///     has along its normal, count of points, 1 where B's is the reference, normal, normal in A's
-  ///     frame, then of each of two points: place, position in A's frame, depth, A's and B's
+  ///   the answers of clip64 and gjk64: 1 where right, magnitude of its error, count of points, 1
+  ///     where B's is the reference, normal, then of each of two points: place, depth, A's and B's
   ///     feature
   ///   the curve: least depth, count of normals that have it, each of these, count of samples,
   ///     then of each angle, in radians from 0, and depth

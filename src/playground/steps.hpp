@@ -11,7 +11,7 @@
 
 namespace manifuzz::playground {
 
-/// Which of the steps a pair takes.
+/// How two shapes lie, which decides which of the article's steps they take.
 enum class Way : unsigned char {
   apart,   ///< a face separates them: nothing follows
   faces,   ///< polygons, or round cores that overlap: the faces of greatest separation

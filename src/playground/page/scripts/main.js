@@ -76,7 +76,7 @@ function movedBy(told, by) {
   return { ...told, whole: edge(told.whole), nearest: { ...told.nearest, places: told.nearest.places.map(place) },
     sideClips: told.sideClips.map((clip) => ({ ...clip, corner: place(clip.corner), edge: edge(clip.edge) })),
     answers: told.answers.map((answer) => ({ ...answer,
-      points: answer.points.map((point) => ({ ...point, fromA: point.at, at: place(point.at) })) })) };
+      points: answer.points.map((point) => ({ ...point, at: place(point.at) })) })) };
 }
 
 function askToDraw() {
@@ -261,7 +261,6 @@ async function start() {
   library = await loadModule();
   fit();
   tryToOpen(() => caseFromAddress(location.hash));
-  if (!state.told) fit();
   draw();
   listen();
   document.documentElement.dataset.ready = "true";

@@ -42,9 +42,8 @@ function readTold(numbers, buckets) {
   const end = () => ({ at: point(), reference: feature(), incident: feature() });
   const side = () => ({ faces: list(next(), () => ({ separation: next(), deepest: next() })), greatest: next() });
   const answer = (_, i) => ({
-    bucket: buckets[i], isRight: flag(), magnitude: next(), along: next(), count: next(), side: flag() ? "b" : "a",
-    normal: point(), localNormal: point(),
-    points: both(() => ({ at: point(), local: point(), depth: next(), features: both(feature) })),
+    bucket: buckets[i], isRight: flag(), magnitude: next(), count: next(), side: flag() ? "b" : "a",
+    normal: point(), points: both(() => ({ at: point(), depth: next(), features: both(feature) })),
   });
   const told = {
     way: WAYS[next()], totalRadius: next(), separation: next(), isTouching: flag(), sides: { a: side(), b: side() },
