@@ -84,7 +84,8 @@ TEST_CASE("shrinking ends at its limit, with what it has") {
   CHECK(shrunk.sequence.frames.size() < 40);
 }
 
-TEST_CASE("a keeper that dies or hangs in a frame is a verdict, and its answers before it stay") {
+TEST_CASE("a keeper that dies or hangs in a frame is a verdict, and its answers before it stay",
+          "[longer]") {
   Interruption interruption;
   const Sequence sequence = apart_for(5);
   const auto answers = ask_in_child(crashing(3), sequence, interruption);

@@ -197,7 +197,7 @@ TEST_CASE("JUnit passes what is accepted, and fails what is not") {
   }
 }
 
-TEST_CASE("a property that fails may be accepted, and is stale once it holds") {
+TEST_CASE("a property that fails may be accepted, and is stale once it holds", "[longer]") {
   const TemporaryFolder folder;
   const std::string subject = one_eyed(folder);
   const auto property = [&](const std::string& seed) {

@@ -48,7 +48,7 @@ TEST_CASE("bench times installed baselines of scenes where nobody is named, no o
   CHECK(libraries == std::set<std::string>{"interface", "box2d3"});
 }
 
-TEST_CASE("bench compares the ways to contact points, and draws what they trade") {
+TEST_CASE("bench compares the ways to contact points, and draws what they trade", "[longer]") {
   const test::TemporaryFolder folder;
   const std::string json = (folder.path() / "methods.json").string();
   const std::string picture = (folder.path() / "methods.svg").string();

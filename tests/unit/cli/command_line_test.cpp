@@ -132,7 +132,7 @@ void check_pasted(const std::string& example) {
   }
   for (const manifuzz::Command& command : manifuzz::commands()) {
     const std::string name(command.name);
-    add_test("the example of " + name + " works when pasted", "[usage]",
+    add_test("the example of " + name + " works when pasted", "[usage][longer]",
              [example = std::string(command.example)] { check_pasted(example); });
     add_test("help on " + name + " has an example", "[usage]", [name] {
       const Outcome outcome = run_manifuzz({name, "--help"});

@@ -43,7 +43,7 @@ Json counted(Json run) {
 
 }  // namespace
 
-TEST_CASE("runs over disjoint indices, merged, count what one run counts") {
+TEST_CASE("runs over disjoint indices, merged, count what one run counts", "[longer]") {
   const TemporaryFolder folder;
   const Json one = count(folder, "one", 0, 9000);
   run(folder, "p", 0, 3000);
@@ -59,7 +59,8 @@ TEST_CASE("runs over disjoint indices, merged, count what one run counts") {
 }
 
 TEST_CASE(
-    "runs merged keep one run's worst witnesses byte for byte, and none of its smallest grows") {
+    "runs merged keep one run's worst witnesses byte for byte, and none of its smallest grows",
+    "[longer]") {
   const TemporaryFolder folder;
   run(folder, "one", 0, 9000);
   run(folder, "p", 0, 3000);

@@ -91,7 +91,8 @@ TEST_CASE("a screen counts what is new, worse and gone against a baseline in a l
   CHECK(lines_of(outcome.out).size() <= kScreenLinesMost);
 }
 
-TEST_CASE("properties end with at most 20 lines, and one that applied to nothing is not OK") {
+TEST_CASE("properties end with at most 20 lines, and one that applied to nothing is not OK",
+          "[longer]") {
   const TemporaryFolder folder;
   const std::vector<std::string> words{
       "property", "--subject-command", one_eyed(folder), "--cases", "30", "--seed",

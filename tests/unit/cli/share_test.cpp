@@ -55,7 +55,8 @@ Json merged(const TemporaryFolder& folder, const Words& cases, int shares) {
 
 }  // namespace
 
-TEST_CASE("all shares of a campaign, merged, are the campaign, bit for bit, however many") {
+TEST_CASE("all shares of a campaign, merged, are the campaign, bit for bit, however many",
+          "[longer]") {
   const TemporaryFolder folder;
   const Json whole = fuzz(folder, "whole", kPairs, {"--jobs=2"});
   REQUIRE(whole["buckets"].size() >= 3);

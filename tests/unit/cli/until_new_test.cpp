@@ -35,7 +35,7 @@ bool has_new(const Json& json) {
 
 }  // namespace
 
-TEST_CASE("a campaign until something new ends with it, the same whatever the jobs") {
+TEST_CASE("a campaign until something new ends with it, the same whatever the jobs", "[longer]") {
   const TemporaryFolder one;
   const TemporaryFolder two;
   std::uint64_t cases_before = 0;

@@ -155,7 +155,8 @@ TEST_CASE("our colliders that clip pass the conformance suite by both checkers")
   }
 }
 
-TEST_CASE("both checkers agree with the judge on answers of engines, and on damaged ones") {
+TEST_CASE("both checkers agree with the judge on answers of engines, and on damaged ones",
+          "[longer]") {
   const Sample cases = sample();
   for (const Checker& checker : kCheckers) {
     if (!is_there(checker)) return;

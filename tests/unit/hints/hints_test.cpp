@@ -49,11 +49,11 @@ void check_hinted(const std::vector<MistakenAdapter>& adapters) {
 
 }  // namespace
 
-TEST_CASE("a mistake in what an adapter answers is named") {
+TEST_CASE("a mistake in what an adapter answers is named", "[longer]") {
   check_hinted(mistaken_in_answers());
 }
 
-TEST_CASE("a mistake in how an adapter reads or declares is named") {
+TEST_CASE("a mistake in how an adapter reads or declares is named", "[longer]") {
   check_hinted(mistaken_in_reading());
 }
 

@@ -11,7 +11,7 @@ using namespace manifuzz::test;
 using Catch::Contains;
 namespace fs = std::filesystem;
 
-TEST_CASE("what OSS-Fuzz and ClusterFuzzLite build runs by itself") {
+TEST_CASE("what OSS-Fuzz and ClusterFuzzLite build runs by itself", "[longer]") {
 #ifndef NDEBUG
   skip("the optimised build does this");
   return;

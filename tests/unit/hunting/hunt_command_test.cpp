@@ -66,8 +66,8 @@ TEST_CASE("a hunt says what is wrong with what it is given, in a line") {
   }
 }
 
-TEST_CASE(
-    "a hunt of a collider that is wrong saves what it finds, and its worst cases are listed") {
+TEST_CASE("a hunt of a collider that is wrong saves what it finds, and its worst cases are listed",
+          "[longer]") {
   const TemporaryFolder folder;
   const std::string corpus = (folder.path() / "corpus").string();
   const std::string silent = "sh " + folder.write("silent.sh",

@@ -58,7 +58,8 @@ TEST_CASE("a hunt fills more cells, and finds worse, than as many drawn cases") 
   }
 }
 
-TEST_CASE("a bug that drawing meets once in a million cases is found, shrunk and saved") {
+TEST_CASE("a bug that drawing meets once in a million cases is found, shrunk and saved",
+          "[longer]") {
   const TemporaryFolder folder;
   HuntPlan plan = plan_of(with_rare_bug("deep_on_a_short_face"), make_clip(), 150'000, 2);
   plan.compares = false;
@@ -80,7 +81,8 @@ TEST_CASE("a bug that drawing meets once in a million cases is found, shrunk and
   CHECK(error->file == worst_file(folder.path(), "planted", Gauge::error).string());
 }
 
-TEST_CASE("what is found stands in a file while a hunt runs, and goes when it is saved") {
+TEST_CASE("what is found stands in a file while a hunt runs, and goes when it is saved",
+          "[longer]") {
   const TemporaryFolder folder;
   HuntPlan plan = plan_of(with_rare_bug("climb_stops_short"), make_clip(), 100'000, 2);
   plan.compares = false;

@@ -41,7 +41,8 @@ Words run_all(const TemporaryFolder& folder) {
 
 }  // namespace
 
-TEST_CASE("shares of a hunt, merged, are the hunt: its cases, its cells, its worst cases") {
+TEST_CASE("shares of a hunt, merged, are the hunt: its cases, its cells, its worst cases",
+          "[longer]") {
   const TemporaryFolder folder;
   const Words names = run_all(folder);
   const Words archives{"--archives=" + (folder.path() / "archives").string()};

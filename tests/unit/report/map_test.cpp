@@ -166,7 +166,7 @@ TEST_CASE("the map is a PNG with four panels of their own colours") {
   CHECK(colour_in(3) == 0xd55e00);  // the subject is wrong
 }
 
-TEST_CASE("every known defect has a map") {
+TEST_CASE("every known defect has a map", "[longer]") {
   const std::filesystem::path folder = source_dir() / "corpus" / "defects" / "box2d";
   const Collider subject = find_collider("clip");
   const Collider oracle = find_collider("box2d");

@@ -105,7 +105,7 @@ TEST_CASE("the interval holds where of agreed contacts only a sample is judged")
   }
 }
 
-TEST_CASE("all looks at a campaign that goes on hold together in at least 94%") {
+TEST_CASE("all looks at a campaign that goes on hold together in at least 94%", "[longer]") {
   constexpr int kLooks = 6;
   for (const Law& law : laws_of_two_parts()) {
     SimulatedRow row(law, 1024, 8);
