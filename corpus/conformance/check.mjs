@@ -2,7 +2,7 @@
 // Holds a port of the article's clipping against cases.jsonl: node check.mjs ANSWERS.jsonl, a line a
 // case, or node check.mjs -- COMMAND, a program that is asked. README.md beside it has the rules.
 import { spawnSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 const dot = (p, q) => p[0] * q[0] + p[1] * q[1];
@@ -17,18 +17,20 @@ const inFrameOfA = (r, normal) => turnBack(r, normal).map((x) => x / lengthOf(r)
 // Every number of a shape and its pose is a float; the file has its shortest decimals.
 const asFloats = (key, value) => (typeof value === "number" ? Math.fround(value) : value);
 
-// The answer's points, in A's frame, and its normal, in the world; throws what is wrong.
+// The answer's points, in A's frame, and its normal, in the world; throws what is wrong. Null is nothing.
 function read({ a, b }, answer) {
   const expect = (is, what) => { if (!is) throw new TypeError(what); };
   const isTwo = (v) => Array.isArray(v) && v.length === 2 && v.every(Number.isFinite);
   expect(Array.isArray(answer?.points) && answer.points.length <= 2, 'an answer has 0 to 2 "points"');
   const counts = [a, b].map(({ vertices }) => vertices.length);
   const points = answer.points.map((point) => {
-    const { local, position, depth = answer.depth, features } = point;
+    const { local, position, features } = point ?? {};
+    const depth = point?.depth ?? answer.depth;
     expect(isTwo(local ?? position), "a point has no place of two finite numbers");
     expect(Number.isFinite(depth) && depth >= 0, "a depth is not a finite number of 0 or more");
-    const isOfPolygon = (f, i) => /^[fv][0-7]$/.test(f) && f[1] < counts[i];
-    expect(!features || features.every(isOfPolygon), "a feature is none of its polygon");
+    const isFeature = (f, i) => typeof f === "string" && /^[fv][0-7]$/.test(f) && f[1] < counts[i];
+    const areFeatures = Array.isArray(features) && features.length === 2 && features.every(isFeature);
+    expect(areFeatures || (features ?? null) === null, "the features are not one of each shape");
     const r = a.rotation;
     const at = local ?? turnBack(r, minus(position, a.position)).map((x) => x / dot(r, r));
     return { at, depth, features };
@@ -39,10 +41,10 @@ function read({ a, b }, answer) {
 }
 
 // Why the answer is not this right manifold, or nothing. All figures are in A's frame.
-function whyNoClip(right, scalar, { reference = right.reference }, points, normal) {
+function whyNoClip(right, scalar, { reference }, points, normal) {
   const within = right[scalar];
   const low = within.low ?? Array(8).fill(0); // what the figures lost where they were written as doubles
-  if (reference !== right.reference) return "reference";
+  if ((reference ?? right.reference) !== right.reference) return "reference";
   if (!(off(normal, right.normal, low) <= within.normal)) return "normal";
   const named = points.every(({ features }) => features);
   const isNear = ({ at, depth }, k) => off(at, right.points[k].local, low.slice(2 + 3 * k)) <= within.local[k]
@@ -222,6 +224,7 @@ function check(words) {
     throw new Error(`${answers.length} answers; ${cases.length} are expected, a line a case`);
   }
   let [wrong, unsupported] = [0, all.length - cases.length];
+  const lines = [];
   if (answers.filter((answer) => answer?.unsupported === undefined).length === 0) {
     throw new Error(`none of ${all.length} cases was answered; nothing is checked`);
   }
@@ -230,9 +233,11 @@ function check(words) {
     const why = isAsked ? whyWrong(given, answers[i], scalar) : undefined;
     wrong += why ? 1 : 0;
     unsupported += isAsked ? 0 : 1;
-    if (each || (why && wrong <= 10)) console.log(`${given.name}: ${why ?? (isAsked ? "right" : "unsupported")}`);
+    const said = why ?? (isAsked ? "right" : "unsupported");
+    if (each || (why && wrong <= 10)) lines.push(`${given.name}: ${said}`);
   }
-  console.log(`${wrong ? "fail" : "pass"}: ${wrong} of ${cases.length} wrong, ${unsupported} unsupported, as ${scalar}`);
+  lines.push(`${wrong ? "fail" : "pass"}: ${wrong} of ${cases.length} wrong, ${unsupported} unsupported, as ${scalar}`);
+  writeFileSync(1, lines.join("\n") + "\n");
   return wrong ? 1 : 0;
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Holds a port of the article's clipping against cases.jsonl: check.py ANSWERS.jsonl, a line a case,
 or check.py -- COMMAND, a program that is asked. README.md beside it has the rules."""
-import argparse, json, math, re, struct, subprocess, sys
+import argparse, json, math, os, re, struct, subprocess, sys
 from pathlib import Path
 
 
@@ -51,39 +51,48 @@ def normals(corners):
 
 
 def read(case, answer):
-    """The answer's points, in A's frame, and its normal, in the world; a ValueError says what is wrong."""
-    def two(value, what):
-        if not (isinstance(value, list) and len(value) == 2 and all(
-                isinstance(x, (int, float)) and math.isfinite(x) for x in value)):
-            raise ValueError(f"{what} is not two finite numbers")
-        return value
+    """The answer's points, in A's frame, and its normal, in the world; a ValueError says what is wrong. Null is
+    nothing."""
+    def expect(is_so, what):
+        if not is_so:
+            raise ValueError(what)
 
-    points = answer["points"] if isinstance(answer, dict) and "points" in answer else None
-    if not isinstance(points, list) or len(points) > 2:
-        raise ValueError("an answer has 0 to 2 \"points\"")
+    def is_number(value):
+        return isinstance(value, float) and math.isfinite(value)
+
+    def is_two(value):
+        return isinstance(value, list) and len(value) == 2 and all(map(is_number, value))
+
+    def of(value, key):
+        return value.get(key) if isinstance(value, dict) else None
+
+    def is_feature(value, count):
+        return isinstance(value, str) and re.fullmatch("[fv][0-7]", value) and int(value[1]) < count
+
+    points = of(answer, "points")
+    expect(isinstance(points, list) and len(points) <= 2, 'an answer has 0 to 2 "points"')
     position, rotation = case["a"]["position"], case["a"]["rotation"]
     found, counts = [], [len(case[side]["vertices"]) for side in "ab"]
     for point in points:
-        if not isinstance(point, dict) or ("local" not in point and "position" not in point):
-            raise ValueError("a point has neither \"position\" nor \"local\"")
-        depth, features = point.get("depth", answer.get("depth")), point.get("features")
-        if not (isinstance(depth, (int, float)) and 0 <= depth < math.inf):
-            raise ValueError("a depth is not a finite number of 0 or more")
-        if features and not all(re.fullmatch("[fv][0-7]", f) and int(f[1]) < n for f, n in zip(features, counts)):
-            raise ValueError("a feature is none of its polygon")
-        at = two(point["local"], "local") if "local" in point else [c / dot(rotation, rotation) for c in turn_back(
-            rotation, [x - p for x, p in zip(two(point["position"], "position"), position)])]
+        at, world, features = of(point, "local"), of(point, "position"), of(point, "features")
+        expect(is_two(world if at is None else at), "a point has no place of two finite numbers")
+        depth = of(answer, "depth") if of(point, "depth") is None else point["depth"]
+        expect(is_number(depth) and depth >= 0, "a depth is not a finite number of 0 or more")
+        expect(features is None or isinstance(features, list) and len(features) == 2 and all(
+            map(is_feature, features, counts)), "the features are not one of each shape")
+        if at is None:
+            at = [c / dot(rotation, rotation) for c in turn_back(rotation, [x - p for x, p in zip(world, position)])]
         found.append((at, depth, features))
-    if answer.get("reference", "a") not in ("a", "b"):
-        raise ValueError("the reference is neither a nor b")
-    return found, two(answer.get("normal"), "normal") if points else None
+    expect(of(answer, "reference") in (None, "a", "b"), "the reference is neither a nor b")
+    expect(not points or is_two(of(answer, "normal")), "the normal is not two finite numbers")
+    return found, of(answer, "normal")
 
 
 def why_no_clip(right, scalar, answer, points, normal):
     """Why the answer is not this right manifold, or None. All figures are in A's frame."""
     within, places = right[scalar], right["points"]
     named = all(features for _, _, features in points)
-    if answer.get("reference", right["reference"]) != right["reference"]:
+    if answer.get("reference") not in (None, right["reference"]):
         return "reference"
     low = within.get("low", [0] * 8)  # what the figures lost where they were written as doubles
     if not off(normal, right["normal"], low) <= within["normal"]:
@@ -156,7 +165,7 @@ def why_wrong(case, answer, scalar):
     """None where the answer is right."""
     try:
         points, normal = read(case, answer)
-    except (ValueError, TypeError) as error:
+    except ValueError as error:
         return f"malformed: {error}"
     if not points:
         return None if scalar in case["empty"] else "missed contact"
@@ -180,20 +189,24 @@ def ask(command, cases):
 
 def parse(text, name):
     """What a port declares, if it does, and its answers."""
+    def refuse(word):
+        raise ValueError(f"{word} is none of its words")
+
     answers = []
     for number, line in enumerate(text.splitlines(), 1):
         try:
-            answers += [json.loads(line)] if line.strip() else []
+            if line.strip():
+                answers.append(json.loads(line, parse_int=float, parse_constant=refuse))
         except ValueError as error:
             raise ValueError(f"{name}:{number}: no JSON: {error}") from error
     is_declared = answers and isinstance(answers[0], dict) and "declaration" in answers[0]
     declared = answers.pop(0)["declaration"] if is_declared else {}
     if not isinstance(declared, dict):
         raise ValueError(f"{name}: its declaration is no object")
-    only = {"tie_bias": [0], "claims": ["manifold"], "clips": [True], "points": ["clip"], "normal": ["a_to_b"],
+    only = {"tie_bias": [0.0], "claims": ["manifold"], "clips": [True], "points": ["clip"], "normal": ["a_to_b"],
             "second_point": ["clip", "never"], "scalar": ["float32", "float64"]}
     for key, value in declared.items():
-        if value not in only.get(key, [value]):
+        if not any(type(value) is type(one) and value == one for one in only.get(key, [value])):
             raise ValueError(f"{name} declares {key} {json.dumps(value)}; it is not what this suite is for")
     return declared, answers
 
@@ -242,17 +255,19 @@ def check(options):
         give_one_point(cases)
     if len(answers) != len(cases):
         raise ValueError(f"{len(answers)} answers; {len(cases)} are expected, a line a case")
-    wrong = unsupported = 0
+    wrong, unsupported, lines = 0, 0, []
     for case, answer in zip(cases, answers):
         is_asked = not (isinstance(answer, dict) and "unsupported" in answer)
         why = why_wrong(case, answer, scalar) if is_asked else None
         wrong, unsupported = wrong + (why is not None), unsupported + (not is_asked)
         if options.each or (why and wrong <= 10):
-            print(f"{case['name']}: {why or ('right' if is_asked else 'unsupported')}")
+            lines.append(f"{case['name']}: {why or ('right' if is_asked else 'unsupported')}")
     unsupported += left - len(cases)
     if unsupported == left:
         raise ValueError(f"none of {left} cases was answered; nothing is checked")
-    print(f"{'fail' if wrong else 'pass'}: {wrong} of {len(cases)} wrong, {unsupported} unsupported, as {scalar}")
+    lines.append(f"{'fail' if wrong else 'pass'}: {wrong} of {len(cases)} wrong, {unsupported} unsupported, as {scalar}")
+    with os.fdopen(os.dup(1), "w") as out:  # what cannot be written is an error here, not at the end
+        out.write("\n".join(lines) + "\n")
     return 1 if wrong else 0
 
 

@@ -174,10 +174,10 @@ Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to, c
 
 CampaignResult result_of(const Hunt& hunt) {
   CampaignResult result = hunt.campaign.result;
-  const Rounds rounds = hunt.rounds.value_or(Rounds{.rounds = 0, .shares = 0});
+  const Rounds rounds = hunt.rounds.value_or(Rounds{.cases = 0, .rounds = 0, .shares = 0});
   result.settings.hunt = hunt.what;
-  result.hunt = HuntResult{rounds.rounds,    rounds.shares, hunt.generations,  hunt.cells,
-                           hunt.cells_drawn, rows_of(hunt), hunt.buckets_drawn};
+  result.hunt = HuntResult{rounds.rounds, rounds.shares,    rounds.cases,  hunt.generations,
+                           hunt.cells,    hunt.cells_drawn, rows_of(hunt), hunt.buckets_drawn};
   return result;
 }
 

@@ -88,6 +88,7 @@ void add_hunt(const HuntResult& hunt, Json& json) {
   if (hunt.rounds > 0) {
     json["rounds"] = hunt.rounds;
     json["shares"] = hunt.shares;
+    json["cases_dealt"] = hunt.cases_dealt;
   }
   json["generations"] = hunt.generations;
   json["cells"] = known_or_null(hunt.cells);
@@ -101,9 +102,13 @@ std::optional<HuntResult> read_hunt(const JsonView& root) {
   if (!root.find("hunt")) return std::nullopt;
   HuntResult hunt{.rounds = count_or(root, "rounds", 0),
                   .shares = count_or(root, "shares", 0),
+                  .cases_dealt = count_or(root, "cases_dealt", 0),
                   .generations = count_in(root, "generations"),
                   .cells = count_or_null(root, "cells"),
                   .cells_drawn = count_or_null(root, "cells_drawn")};
+  if (hunt.rounds > 0 && hunt.shares == 0) {
+    root.at("shares").fail("is 0; rounds are dealt in at least 1");
+  }
   for (const JsonView& row : root.at("rows").elements()) hunt.rows.push_back(read_row(row));
   hunt.buckets_drawn = read_texts(root.at("buckets_drawn"));
   return hunt;
@@ -112,7 +117,7 @@ std::optional<HuntResult> read_hunt(const JsonView& root) {
 void add_hunt(CampaignResult& sum, const CampaignResult& run) {
   if (!run.hunt) return;
   const bool is_first = !sum.hunt;
-  if (is_first) sum.hunt = HuntResult{run.hunt->rounds, run.hunt->shares};
+  if (is_first) sum.hunt = HuntResult{run.hunt->rounds, run.hunt->shares, run.hunt->cases_dealt};
   HuntResult& hunt = *sum.hunt;
   hunt.cells = is_first ? run.hunt->cells : HuntCount{};
   hunt.cells_drawn = is_first ? run.hunt->cells_drawn : HuntCount{};

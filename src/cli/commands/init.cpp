@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -163,8 +164,12 @@ void Beginning::write_subjects(const Asked& asked, const std::string& name) {
   const bool is_program = !placed.command.empty();
   nlohmann::ordered_json json;
   json[name][is_program ? "command" : "library"] = is_program ? placed.command : placed.name;
-  if (is_there(kSubjects) && read_subjects({kSubjects, {}}).count(name) == 0) {
-    return keep(kSubjects, "it is there; add " + json.dump());
+  if (is_there(kSubjects)) {
+    const NamedSubjects named = read_subjects({kSubjects, {}});
+    const bool is_known = std::ranges::any_of(named, [&](const auto& one) {
+      return one.second.library == placed.name && one.second.command == placed.command;
+    });
+    if (!is_known) return keep(kSubjects, "it is there; add " + json.dump());
   }
   write(kSubjects, json_text(json), fmt::format("how to ask {}", printable(name)));
 }
@@ -228,6 +233,9 @@ void Beginning::tell(const Asked& asked) const {
 }
 
 void Beginning::run() {
+  if (is_there(kCorpus) && !fs::is_directory(kCorpus)) {
+    throw UserError(fmt::format("{}: is no folder, and cases are to go there; move it", kCorpus));
+  }
   const Asked asked = this->asked();
   const Collider subject = find_collider(asked.staged, {});
   write_subjects(asked, subject.declaration.name);

@@ -41,7 +41,13 @@ void expect_something(const MergeArguments& options, const MergedRuns& runs) {
 
 /// Each share's own cells are in its result; how many they are together is in the archives.
 void count_cells(CampaignResult& sum, const std::string& archives) {
-  const Rounds rounds{sum.cases(), sum.hunt->rounds, sum.hunt->shares};
+  const Rounds rounds{sum.hunt->cases_dealt, sum.hunt->rounds, sum.hunt->shares};
+  if (sum.cases() != rounds.cases) {
+    throw UserError(
+        fmt::format("--archives: the results are of {} of the hunt's {}; name those of every share "
+                    "of every round",
+                    sum.cases(), counted(rounds.cases, "case")));
+  }
   sum.hunt->cells = cells_of_all({archives, sum.settings.hunt, rounds, {}});
 }
 

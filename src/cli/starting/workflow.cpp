@@ -39,15 +39,25 @@ std::string line_of_git(const fs::path& tree, const std::string& arguments) {
   return std::string(said.substr(0, said.find('\n')));
 }
 
-/// Whether others can clone from there, and may read it: a token before the host is a secret.
-bool is_remote(const std::string& url) {
-  const auto scheme = url.find("://");
-  if (scheme == std::string::npos) return url.starts_with("git@");
-  if (url.starts_with("file:")) return false;
-  const std::string host = url.substr(scheme + 3, url.find('/', scheme + 3) - scheme - 3);
+/// From where CI, which has none of this machine's keys, can clone what this machine clones from
+/// there; empty where that is not known. A token before the host is a secret, so it is not written.
+std::string url_for_all(const std::string& url) {
+  const auto scheme_end = url.find("://");
+  const std::string scheme = url.substr(0, scheme_end);
+  if (scheme_end == std::string::npos) {  // USER@HOST:PATH, or a folder
+    const auto host_end = url.find(':');
+    if (!url.starts_with("git@") || host_end == std::string::npos) return "";
+    return "https://" + url.substr(4, host_end - 4) + '/' + url.substr(host_end + 1);
+  }
+  if (scheme == "file") return "";
+  const auto host_begin = scheme_end + 3;
+  const std::string host = url.substr(host_begin, url.find('/', host_begin) - host_begin);
   const auto user_end = host.find('@');
-  if (user_end == std::string::npos) return true;
-  return url.starts_with("ssh:") && host.find(':') > user_end;
+  if (scheme == "ssh") {
+    if (host.find(':') != std::string::npos) return "";  // the port of a server of its own
+    return "https://" + url.substr(host_begin + (user_end == std::string::npos ? 0 : user_end + 1));
+  }
+  return user_end == std::string::npos ? url : "";
 }
 
 /// As a scalar of YAML.
@@ -62,8 +72,8 @@ std::string in_yaml(const std::string& text) {
 CloneOf clone_of_this_program() {
   const fs::path tree = tree_of_this_program();
   if (tree.empty()) return {};
-  const std::string url = line_of_git(tree, "remote get-url origin");
-  return {is_remote(url) ? url : "", line_of_git(tree, "rev-parse HEAD")};
+  return {url_for_all(line_of_git(tree, "remote get-url origin")),
+          line_of_git(tree, "rev-parse HEAD")};
 }
 
 std::string workflow_text(const WorkflowOf& workflow) {

@@ -187,6 +187,68 @@ TEST_CASE("a checker asks a program about what it declares that it takes") {
   }
 }
 
+TEST_CASE("both checkers say the same of answers that are odd") {
+  constexpr const char* kPoint =
+      R"({"points": [{"local": [0, 0], "depth": 0.5}], "normal": [1, 0])";
+  const std::vector<std::string> odd{
+      "null",
+      "5",
+      "[]",
+      R"("no")",
+      "{}",
+      R"({"points": null})",
+      R"({"points": [], "normal": null})",
+      R"({"unsupported": null})",
+      R"({"points": [5], "normal": [1, 0]})",
+      R"({"points": [null], "normal": [1, 0]})",
+      R"({"points": [[]], "normal": [1, 0]})",
+      R"({"points": [{"local": null, "position": [0, 0], "depth": 0.5}], "normal": [1, 0]})",
+      R"({"points": [{"local": [true, 0], "depth": 0.5}], "normal": [1, 0]})",
+      R"({"points": [{"local": [1e999, 0], "depth": 0.5}], "normal": [1, 0]})",
+      R"({"points": [{"local": [0, 0], "depth": true}], "normal": [1, 0]})",
+      R"({"points": [{"local": [0, 0], "depth": null}], "depth": 0.5, "normal": [1, 0]})",
+      R"({"points": [{"local": [0, 0]}], "depth": -1, "normal": [1, 0]})",
+      R"({"points": [{"local": [0, 0], "depth": 0.5}], "normal": [1, 0, 0]})",
+      R"({"points": [{"local": [0, 0], "depth": 0.5}]})",
+      R"({"points": [{"local": [0, 0], "depth": 0.5, "features": null}], "normal": [1, 0]})",
+      R"({"points": [{"local": [0, 0], "depth": 0.5, "features": []}], "normal": [1, 0]})",
+      R"({"points": [{"local": [0, 0], "depth": 0.5, "features": ["f0"]}], "normal": [1, 0]})",
+      R"({"points": [{"local": [0, 0], "depth": 0.5, "features": "f0"}], "normal": [1, 0]})",
+      R"({"points": [{"local": [0, 0], "depth": 0.5, "features": [["f0"], "v0"]}], "normal": [1, 0]})",
+      R"({"points": [{"local": [0, 0], "depth": 0.5, "features": ["f0", "v0", "v0"]}], "normal": [1, 0]})",
+      R"({"points": [{"local": [0, 0], "depth": 0.5, "features": ["f0", "v9"]}], "normal": [1, 0]})",
+      std::string(kPoint) + R"(, "reference": null})",
+      std::string(kPoint) + R"(, "reference": "c"})",
+      std::string(kPoint) + R"(, "reference": false})",
+      std::string(kPoint) + "}"};
+  const TemporaryFolder folder;
+  const std::string line = lines_of(text_of(source_dir() / "corpus/conformance/cases.jsonl"))[0];
+  const std::string cases =
+      folder.write("cases.jsonl", joined(std::vector<std::string>(odd.size(), line)));
+  const std::string answers = folder.write("answers.jsonl", joined(odd));
+  std::vector<std::string> said;
+  for (const Checker& checker : kCheckers) {
+    if (!is_there(checker)) return;
+    const Outcome outcome =
+        run_program(with(checker.command(), {answers, "--cases", cases, "--each"}));
+    CHECK(outcome.status == 1);
+    const auto is_malformed = [](const std::string& row) {
+      return row.find(": malformed: ") != row.npos;
+    };
+    CHECK(std::ranges::count_if(lines_of(outcome.out), is_malformed) == 23);
+    said.push_back(outcome.out);
+    const std::string nan = folder.write("nan.jsonl", "{\"points\": NaN}\n");
+    CHECK_THAT(run_program(with(checker.command(), {nan})).err,
+               Catch::Contains("nan.jsonl:1: no JSON"));
+    const Outcome full =
+        run_program({"/bin/sh", "-c", "\"$@\" >/dev/full", "sh", checker.command()[0],
+                     checker.command()[1], answers, "--cases", cases});
+    CHECK(full.status == 2);
+    CHECK(is_one_clear_line(full.err));
+  }
+  CHECK(said[0] == said[1]);
+}
+
 TEST_CASE("bad input to a checker is one line on what is wrong, and status 2") {
   const TemporaryFolder folder;
   const std::string few = folder.write("few.jsonl", "{\"points\": []}\n");

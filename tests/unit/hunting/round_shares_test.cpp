@@ -71,6 +71,13 @@ TEST_CASE("shares of a hunt, merged, are the hunt: its cases, its cells, its wor
   for (const Json& bucket : all["buckets"]) {
     if (bucket["new"]) CHECK(std::filesystem::exists(bucket["file"].get<std::string>()));
   }
+  const Outcome some = merge(folder, {names.begin(), names.end() - 2}, "some", archives);
+  CHECK(some.status == 2);
+  CHECK_THAT(some.err, Contains("are of 1800 of the hunt's 2400 cases"));
+  Json dealt_to_nobody = Json::parse(text_of(folder.path() / "r00.json"));
+  dealt_to_nobody["shares"] = 0;
+  folder.write("nobody.json", dealt_to_nobody.dump());
+  CHECK_THAT(merge(folder, {"nobody.json"}, "none").err, Contains("nobody.json: $.shares: is 0"));
   std::filesystem::remove(folder.path() / "archives" / "round-1-share-0.archive");
   const Outcome incomplete = merge(folder, names, "again", archives);
   CHECK(incomplete.status == 2);
