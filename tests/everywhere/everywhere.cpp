@@ -5,11 +5,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+#include <vector>
 
 #include "collider/answer_hash.hpp"
 #include "exact/truth.hpp"
 #include "generating/regime.hpp"
 #include "judging/judge.hpp"
+#include "kernel/batch.hpp"
 #include "kernel/target.hpp"
 #include "own_colliders/own_colliders.hpp"
 #include "scene/scene.hpp"
@@ -67,6 +69,33 @@ void hash_answers(const Collider& collider, const Regime& regime, std::span<cons
   Hash hash;
   for (const PairCase& pair : cases) add(hash, collider.collide(pair));
   print(collider.declaration.name, regime.name, hash.value());
+}
+
+/// All cases of a regime at once, from indices and packed, so that every lane is asked.
+template <class Scalar>
+void hash_batches(std::string_view what, const Regime& regime, std::span<const PairCase> cases) {
+  kernel::Shapes<Scalar> shapes;
+  std::vector<kernel::Placement<Scalar>> bodies;
+  std::vector<kernel::BodyPair> pairs;
+  for (const PairCase& pair : cases) {
+    const auto placed = clipping::placed_pair<Scalar>(pair);
+    const auto a = static_cast<std::uint32_t>(bodies.size());
+    bodies.push_back({shapes.add(placed.a), placed.pose_a});
+    bodies.push_back({shapes.add(placed.b), placed.pose_b});
+    pairs.push_back({a, a + 1});
+  }
+  std::vector<Manifold<Scalar>> manifolds(pairs.size());
+  kernel::collide_pairs(shapes, bodies, pairs, Scalar{0}, manifolds);
+  Hash hash;
+  for (const Manifold<Scalar>& one : manifolds) add(hash, manifold_cast<double>(one));
+  const kernel::PackedPairs<Scalar> packed(shapes, bodies, pairs);
+  std::vector<kernel::ManifoldBlock<Scalar>> blocks(packed.block_count());
+  kernel::collide_packed(packed, Scalar{0}, blocks);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto column = static_cast<int>(i % kernel::kBlockPairs);
+    add(hash, manifold_cast<double>(kernel::manifold(blocks[i / kernel::kBlockPairs], column)));
+  }
+  print(what, regime.name, hash.value());
 }
 
 /// Of each case what the judge makes of two colliders, one of which is often wrong.
@@ -151,6 +180,8 @@ void hash_all(std::uint64_t count) {
     for (const PairCase& pair : cases) add(hash, pair);
     print("cases", regime.name, hash.value());
     for (const Collider& collider : colliders) hash_answers(collider, regime, cases);
+    hash_batches<float>("batches", regime, cases);
+    hash_batches<double>("batches64", regime, cases);
     hash_verdicts(regime, cases);
   }
   hash_scene();
