@@ -54,8 +54,9 @@ struct Outline {
 /// What EPA finds: the edge of the difference's outline that is nearest to the origin, in
 /// counter-clockwise order; one vertex where the difference is a point.
 struct EpaResult {
-  Simplex edge;        ///< of 2 vertices, or 1
-  int iterations = 0;  ///< how many supports were asked for
+  Simplex edge;                  ///< of 2 vertices, or 1
+  int iterations = 0;            ///< how many supports were asked for
+  Vector2<double> inward{0, 0};  ///< from the origin to it, of any length
 };
 
 /// Another vertex of the difference than a given one, if it has any.
@@ -130,7 +131,7 @@ template <class Scalar>
 EpaResult epa(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b, const Simplex& from) {
   const Difference<Scalar> difference(a, b);
   Outline outline = first_outline(difference, from);
-  if (outline.count == 1) return {from, 0};
+  if (outline.count == 1) return {from, 0, difference.vertex(from.vertices[0])};
   for (int iterations = 1;; ++iterations) {
     const int nearest = outline.nearest();
     const SupportPair first = outline.vertices[nearest];
@@ -139,7 +140,7 @@ EpaResult epa(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b, co
     const SupportPair support = difference.support(inward);
     const bool is_beyond = inward.dot(difference.edge(first, support)) < 0;
     if (!is_beyond || !outline.insert(nearest + 1, support)) {
-      return {{{first, second}, 2}, iterations};
+      return {{{first, second}, 2}, iterations, inward};
     }
     make_convex(difference, outline, nearest + 1);
   }

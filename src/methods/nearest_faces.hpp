@@ -67,20 +67,17 @@ bool has_face_along(const ConvexPolygon<Scalar>& core, int first, int last,
   return clipping::has_edge_along(core, last, direction);
 }
 
-/// The faces at the feature of 1 or 2 vertices of the difference that is nearest to the origin. A
-/// face's separation is never more than the true one, so that looking at too many faces does no
-/// harm; and the nearest face is among these, since the difference's outline between its vertices
-/// consists of faces of A and B between theirs. Where none of a core's faces the other, all are.
+/// The faces at the feature of 1 or 2 vertices of the difference that is nearest to the origin,
+/// from which `to_feature` leads there, of any length. A face's separation is never more than the
+/// true one, so that looking at too many faces does no harm; and the nearest face is among these,
+/// since the difference's outline between its vertices consists of faces of A and B between theirs.
+/// Where none of a core's faces the other, all are.
 template <class Scalar>
 NearestFaces<Scalar> nearest_faces(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                   const Simplex& feature) {
+                                   const Simplex& feature, const Vector2<double>& to_feature) {
   const SupportPair first = feature.vertices[0];
   const SupportPair last = feature.vertices[feature.count - 1];
-  const Difference<Scalar> difference(a, b);
-  const Vector2<Scalar> inward =
-      (feature.count == 1 ? difference.vertex(first)
-                          : counter_clockwise_quarter(difference.edge(first, last)))
-          .template cast<Scalar>();
+  const Vector2<Scalar> inward = to_feature.template cast<Scalar>();
   NearestFaces<Scalar> faces;
   const auto add = [&](const ConvexPolygon<Scalar>& core, Side side, int from, int to,
                        const ConvexPolygon<Scalar>& other, const Vector2<Scalar>& outward) {

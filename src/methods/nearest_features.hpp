@@ -63,16 +63,21 @@ NearestFeatures<Scalar> nearest_features(const ConvexPolygon<Scalar>& a,
   nearest.gjk_iterations = found.iterations;
   if (found.apartness == Apartness::separated) return nearest;
   Simplex feature = found.simplex;
+  Vector2<double> to_feature = found.direction;
   if (found.apartness == Apartness::overlapping) {
     const EpaResult expanded = epa(a, b, found.simplex);
     nearest.epa_iterations = expanded.iterations;
     feature = expanded.edge;
+    to_feature = expanded.inward;
   } else {
     nearest.vertices = nearest_from(a, b, feature);
     const auto& [of_a, of_b] = nearest.vertices.features;
-    if (feature.count == 1) feature.vertices[0] = {of_a.index, of_b.index};
+    if (feature.count == 1) {
+      feature.vertices[0] = {of_a.index, of_b.index};
+      to_feature = Difference<Scalar>(a, b).vertex(feature.vertices[0]);
+    }
   }
-  nearest.faces = nearest_faces(a, b, feature);
+  nearest.faces = nearest_faces(a, b, feature, to_feature);
   if (!are_round(a, b) && nearest.faces.separation() > total_radius) {
     nearest.apartness = Apartness::separated;
     hint = simplex_of(a, b, nearest.faces.greatest());
