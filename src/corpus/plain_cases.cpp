@@ -52,10 +52,15 @@ void add_plain_cases(float radius_a, float radius_b, std::vector<PairCase>& made
   }
 }
 
-std::vector<PairCase> sorted(std::vector<PairCase> cases) {
-  std::ranges::stable_sort(
-      cases, [](const PairCase& p, const PairCase& q) { return complexity(p) < complexity(q); });
-  return cases;
+/// The simplest first, and equals as they stand. A comparison that worked out complexities would
+/// take longer than what is then done with the cases.
+std::vector<PairCase> sorted(const std::vector<PairCase>& cases) {
+  std::vector<std::pair<Complexity, std::size_t>> order;
+  for (const PairCase& pair : cases) order.emplace_back(complexity(pair), order.size());
+  std::ranges::sort(order);
+  std::vector<PairCase> result;
+  for (const auto& [unused, i] : order) result.push_back(cases[i]);
+  return result;
 }
 
 using Shapes = std::vector<ConvexPolygon<float>>;
