@@ -21,6 +21,25 @@ std::vector<std::size_t> faces_of(const Shape<Real>& shape) {
   return faces;
 }
 
+/// Whether a replay has no contact, of shapes that touch to the bound.
+template <class Engine>
+bool is_touch_left_out(const Deviation& d, const ReplayOf<Engine>& replay) {
+  return Engine::answer(replay, d.right.pair()).count == 0 &&
+         ledger_of::least_depth(d) <= d.right.bounds.separation;
+}
+
+/// Whether cosines tell these faces as near to the direction as those that were clipped.
+template <class Real>
+bool are_as_near(const Replay<Real>& replay, const std::array<std::size_t, 2>& faces) {
+  const auto is_as_near = [](const Shape<Real>& shape, const Vector2<Real>& direction,
+                             std::size_t face, std::size_t clipped) {
+    return face == clipped ||
+           shape.normals[face].dot(direction) >= shape.normals[clipped].dot(direction);
+  };
+  return is_as_near(replay.a.shape, replay.normal, faces[0], replay.faces[0]) &&
+         is_as_near(replay.b.shape, normal_of_b(replay), faces[1], replay.faces[1]);
+}
+
 /// Whether the answer would be right with another pair of faces clipped along the same direction.
 template <class Engine>
 bool is_right_with_other_faces(const Deviation& d, ReplayOf<Engine> replay) {
@@ -29,6 +48,12 @@ bool is_right_with_other_faces(const Deviation& d, ReplayOf<Engine> replay) {
       if (std::array{of_a, of_b} == replay.faces) continue;
       replay.points = clipped_by(replay, {of_a, of_b});
       if (is_right<Engine>(d, replay)) return true;
+      // Of faces without a place in common parry gives the places of its search.
+      const bool is_place_of_search = !replay.is_clipped && !replay.points.empty();
+      if (is_place_of_search && are_as_near(replay, {of_a, of_b}) &&
+          is_touch_left_out<Engine>(d, replay)) {
+        return true;
+      }
     }
   }
   return false;
@@ -67,13 +92,6 @@ inline double reach_of_difference(const Deviation& d) {
   double most = 0;
   for (const Vector2<double>& corner : difference.corners()) most = std::max(most, corner.norm());
   return most + total_radius(d.right.pair());
-}
-
-/// Whether a replay has no contact, of shapes that touch to the bound.
-template <class Engine>
-bool is_touch_left_out(const Deviation& d, const ReplayOf<Engine>& replay) {
-  return Engine::answer(replay, d.right.pair()).count == 0 &&
-         ledger_of::least_depth(d) <= d.right.bounds.separation;
 }
 
 inline bool is_refusal(GjkEnd end) {
