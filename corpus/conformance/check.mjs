@@ -57,7 +57,7 @@ function whyNoClip(right, scalar, { reference }, points, normal) {
     if (named && ks.every((k) => isOther(points[i], k))) return "features";
   }
   const missing = within.needed.find((k) => !near.flat().includes(k));
-  if (missing !== undefined) return `no point at ${right.points[missing].local}`;
+  if (missing !== undefined) return `no point is point ${missing + 1} of the right manifold`;
 }
 
 // The distance of two directions on the unit circle, to the last digits where they are near; m is unit and has
@@ -152,24 +152,32 @@ function ask([program, ...words], cases) {
   if (error && error.code !== "EPIPE") throw error;
   const how = signal ?? `status ${status}`;
   if (status !== 0) throw new Error(`${program} ended with ${how}; 0 is expected, after an answer to each case`);
-  return stdout.toString();
+  return textOf(stdout);
 }
+
+const textOf = (bytes) => new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+
+// The lines that are not empty, with their numbers.
+const linesOf = (text) => text.split("\n").map((line, i) => [i + 1, line])
+  .filter(([, line]) => /[^ \t\r]/.test(line));
 
 // What a port declares, if it does, and its answers.
 function parse(text, name) {
-  const answers = text.split("\n").flatMap((line, i) => {
+  const answers = linesOf(text).map(([i, line]) => {
     try {
-      return line.trim() ? [JSON.parse(line)] : [];
+      return JSON.parse(line);
     } catch (error) {
-      throw new Error(`${name}:${i + 1}: no JSON: ${error.message}`);
+      throw new Error(`${name}:${i}: no JSON: ${error.message}`);
     }
   });
-  const declared = answers[0]?.declaration === undefined ? {} : answers.shift().declaration;
+  let declared = answers[0]?.declaration === undefined ? {} : answers.shift().declaration;
   if (Object.getPrototypeOf(declared ?? 0) !== Object.prototype) throw new Error(`${name}: its declaration is no object`);
+  declared = Object.fromEntries(Object.entries(declared).filter(([, value]) => value !== null));
   const only = { tie_bias: [0], claims: ["manifold"], clips: [true], points: ["clip"], normal: ["a_to_b"],
-    second_point: ["clip", "never"], scalar: ["float32", "float64"] };
+    second_point: ["clip", "never"], scalar: ["float32", "float64"],
+    vertices_min: [1, 2, 3], takes_round: [true, false] };
   for (const [key, value] of Object.entries(declared)) {
-    if (only[key]?.includes(value) ?? true) continue;
+    if (!Object.hasOwn(only, key) || only[key].includes(value)) continue;
     throw new Error(`${name} declares ${key} ${JSON.stringify(value)}; it is not what this suite is for`);
   }
   return { declared, answers };
@@ -204,16 +212,15 @@ function check(words) {
       + "--cases FILE, --scalar float32|float64, --each");
   }
   const suite = file ?? fileURLToPath(new URL("cases.jsonl", import.meta.url));
-  const all = readFileSync(suite, "utf8").split("\n").flatMap((line, i) => {
-    if (!line.trim()) return [];
-    const { a, b, ...rest } = readCase(line, `${suite}:${i + 1}`);
+  const all = linesOf(textOf(readFileSync(suite))).map(([i, line]) => {
+    const { a, b, ...rest } = readCase(line, `${suite}:${i}`);
     const placed = (body) => ({ position: [0, 0], rotation: [1, 0], ...JSON.parse(JSON.stringify(body), asFloats) });
-    return [{ ...rest, a: placed(a), b: placed(b) }];
+    return { ...rest, a: placed(a), b: placed(b) };
   });
   const first = all.filter(({ round }) => !round).slice(0, 1);
   const asked = command.length ? parse(ask(command, first), command[0]) : null;
   const cases = asked ? all.filter((given) => takes(asked.declared, given)) : all;
-  const { declared, answers } = parse(asked ? ask(command, cases) : readFileSync(own[0], "utf8"), command[0] ?? own[0]);
+  const { declared, answers } = parse(asked ? ask(command, cases) : textOf(readFileSync(own[0])), command[0] ?? own[0]);
   const scalar = chosen ?? declared.scalar ?? "float32";
   if (!/^float(32|64)$/.test(scalar)) throw new Error(`--scalar: ${scalar}; float32 or float64 is expected`);
   const isNever = declared.second_point === "never"; // one point of round shapes

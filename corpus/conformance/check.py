@@ -14,6 +14,10 @@ def as_floats(value):
     return value if isinstance(value, str) else struct.unpack("f", struct.pack("f", value))[0]
 
 
+def refuse(why):
+    raise ValueError(why)
+
+
 def dot(p, q):
     return p[0] * q[0] + p[1] * q[1]
 
@@ -54,18 +58,13 @@ def read(case, answer):
     """The answer's points, in A's frame, and its normal, in the world; a ValueError says what is wrong. Null is
     nothing."""
     def expect(is_so, what):
-        if not is_so:
-            raise ValueError(what)
-
+        return is_so or refuse(what)
     def is_number(value):
         return isinstance(value, float) and math.isfinite(value)
-
     def is_two(value):
         return isinstance(value, list) and len(value) == 2 and all(map(is_number, value))
-
     def of(value, key):
         return value.get(key) if isinstance(value, dict) else None
-
     def is_feature(value, count):
         return isinstance(value, str) and re.fullmatch("[fv][0-7]", value) and int(value[1]) < count
 
@@ -105,7 +104,7 @@ def why_no_clip(right, scalar, answer, points, normal):
             return "position or depth of a point"
         if named and all(k in within["features"] and features != places[k]["features"] for k in ks):
             return "features"
-    return next((f"no point at {places[k]['local']}" for k in within["needed"]
+    return next((f"no point is point {k + 1} of the right manifold" for k in within["needed"]
                  if not any(k in ks for ks in near)), None)
 
 
@@ -180,34 +179,39 @@ def ask(command, cases):
     """What a program says when it is given the cases, their numbers with all digits."""
     lines = [json.dumps({side: {**case[side], "normals": normals(case[side]["vertices"])} for side in "ab"})
              for case in cases]
-    ended = subprocess.run(command, input="\n".join(lines) + "\n", stdout=subprocess.PIPE, text=True)
+    ended = subprocess.run(command, input="\n".join(lines) + "\n", stdout=subprocess.PIPE, encoding="utf-8")
     if ended.returncode:
         how = f"status {ended.returncode}" if ended.returncode > 0 else f"signal {-ended.returncode}"
         raise ValueError(f"{command[0]} ended with {how}; 0 is expected, after an answer to each case")
     return ended.stdout
 
 
+def lines_of(text):
+    """The lines that are not empty, with their numbers."""
+    return [(number, line) for number, line in enumerate(text.split("\n"), 1) if line.strip(" \t\r")]
+
+
 def parse(text, name):
     """What a port declares, if it does, and its answers."""
-    def refuse(word):
-        raise ValueError(f"{word} is none of its words")
-
     answers = []
-    for number, line in enumerate(text.splitlines(), 1):
-        try:
-            if line.strip():
-                answers.append(json.loads(line, parse_int=float, parse_constant=refuse))
-        except ValueError as error:
+    for number, line in lines_of(text):
+        try:  # NaN and Infinity are refused
+            answers.append(json.loads(line, parse_int=float, parse_constant=refuse))
+        except (ValueError, RecursionError) as error:
             raise ValueError(f"{name}:{number}: no JSON: {error}") from error
     is_declared = answers and isinstance(answers[0], dict) and "declaration" in answers[0]
     declared = answers.pop(0)["declaration"] if is_declared else {}
     if not isinstance(declared, dict):
         raise ValueError(f"{name}: its declaration is no object")
+    declared = {key: value for key, value in declared.items() if value is not None}
     only = {"tie_bias": [0.0], "claims": ["manifold"], "clips": [True], "points": ["clip"], "normal": ["a_to_b"],
-            "second_point": ["clip", "never"], "scalar": ["float32", "float64"]}
+            "second_point": ["clip", "never"], "scalar": ["float32", "float64"],
+            "vertices_min": [1.0, 2.0, 3.0], "takes_round": [True, False]}
     for key, value in declared.items():
         if not any(type(value) is type(one) and value == one for one in only.get(key, [value])):
-            raise ValueError(f"{name} declares {key} {json.dumps(value)}; it is not what this suite is for")
+            whole = int(value) if isinstance(value, float) and value.is_integer() else value
+            said = json.dumps(whole, ensure_ascii=False, separators=(",", ":"))
+            refuse(f"{name} declares {key} {said}; it is not what this suite is for")
     return declared, answers
 
 
@@ -230,13 +234,13 @@ def takes(declared, case):
 
 def read_cases(path):
     cases = []
-    for number, line in enumerate(Path(path).read_text().splitlines(), 1):
+    for number, line in lines_of(Path(path).read_text(encoding="utf-8-sig")):
         try:
-            cases += [json.loads(line)] if line.strip() else []
-            if line.strip() and cases[-1]["format"] != "manifuzz/conformance/1":
+            cases.append(json.loads(line))
+            if cases[-1]["format"] != "manifuzz/conformance/1":
                 raise ValueError("another format")
-        except (ValueError, KeyError, TypeError) as error:
-            raise ValueError(f"{path}:{number}: a case of manifuzz/conformance/1 is expected") from error
+        except (ValueError, KeyError, TypeError):
+            refuse(f"{path}:{number}: a case of manifuzz/conformance/1 is expected")
     for case in cases:
         case.update({side: as_floats({"position": [0, 0], "rotation": [1, 0], **case[side]}) for side in "ab"})
     return cases
@@ -248,7 +252,7 @@ def check(options):
     if command:
         declared, _ = parse(ask(command, [case for case in cases if "round" not in case][:1]), command[0])
         cases = [case for case in cases if takes(declared, case)]
-    text = ask(command, cases) if command else Path(options.answers).read_text()
+    text = ask(command, cases) if command else Path(options.answers).read_text(encoding="utf-8-sig")
     declared, answers = parse(text, command[0] if command else options.answers)
     scalar = options.scalar or declared.get("scalar", "float32")
     if declared.get("second_point") == "never":
@@ -265,7 +269,8 @@ def check(options):
     unsupported += left - len(cases)
     if unsupported == left:
         raise ValueError(f"none of {left} cases was answered; nothing is checked")
-    lines.append(f"{'fail' if wrong else 'pass'}: {wrong} of {len(cases)} wrong, {unsupported} unsupported, as {scalar}")
+    result = "fail" if wrong else "pass"
+    lines.append(f"{result}: {wrong} of {len(cases)} wrong, {unsupported} unsupported, as {scalar}")
     with os.fdopen(os.dup(1), "w") as out:  # what cannot be written is an error here, not at the end
         out.write("\n".join(lines) + "\n")
     return 1 if wrong else 0
@@ -277,9 +282,6 @@ def main():
     parser.add_argument("--cases", default=Path(__file__).with_name("cases.jsonl"), help="default: cases.jsonl")
     parser.add_argument("--scalar", choices=("float32", "float64"), help="default: as declared, else float32")
     parser.add_argument("--each", action="store_true", help="print a line for each case")
-    def refuse(why):  # in one line
-        raise ValueError(why)
-
     parser.error = refuse
     words = sys.argv[1:] + ["--"]
     try:

@@ -48,7 +48,7 @@ bool is_right_with_other_faces(const Deviation& d, ReplayOf<Engine> replay) {
       if (std::array{of_a, of_b} == replay.faces) continue;
       replay.points = clipped_by(replay, {of_a, of_b});
       if (is_right<Engine>(d, replay)) return true;
-      // Of faces without a place in common parry gives the places of its search.
+      // Where faces have no place in common parry gives the places of its search.
       const bool is_place_of_search = !replay.is_clipped && !replay.points.empty();
       if (is_place_of_search && are_as_near(replay, {of_a, of_b}) &&
           is_touch_left_out<Engine>(d, replay)) {

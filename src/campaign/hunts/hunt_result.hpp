@@ -29,7 +29,7 @@ struct HuntRow {
 struct HuntResult {
   std::uint64_t rounds = 0;       ///< 0: it was not dealt to machines
   std::uint64_t shares = 0;       ///< of each round
-  std::uint64_t cases_dealt = 0;  ///< to all shares of all rounds
+  std::uint64_t cases_dealt = 0;  ///< to all shares of all rounds; 0: an older version's
   std::uint64_t generations = 0;
   std::optional<std::uint64_t> cells{};  ///< none: of several runs, whose archives were not read
   std::optional<std::uint64_t> cells_drawn{};

@@ -42,6 +42,11 @@ void expect_something(const MergeArguments& options, const MergedRuns& runs) {
 /// Each share's own cells are in its result; how many they are together is in the archives.
 void count_cells(CampaignResult& sum, const std::string& archives) {
   const Rounds rounds{sum.hunt->cases_dealt, sum.hunt->rounds, sum.hunt->shares};
+  if (rounds.cases == 0) {
+    throw UserError(
+        "--archives: the results are of an older version, which does not say how many cases all "
+        "shares have; merge them without it, or hunt again");
+  }
   if (sum.cases() != rounds.cases) {
     throw UserError(
         fmt::format("--archives: the results are of {} of the hunt's {}; name those of every share "

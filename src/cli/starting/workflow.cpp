@@ -47,7 +47,9 @@ std::string url_for_all(const std::string& url) {
   if (scheme_end == std::string::npos) {  // USER@HOST:PATH, or a folder
     const auto host_end = url.find(':');
     if (!url.starts_with("git@") || host_end == std::string::npos) return "";
-    return "https://" + url.substr(4, host_end - 4) + '/' + url.substr(host_end + 1);
+    const auto path = url.find_first_not_of('/', host_end + 1);
+    if (path == std::string::npos) return "";
+    return "https://" + url.substr(4, host_end - 4) + '/' + url.substr(path);
   }
   if (scheme == "file") return "";
   const auto host_begin = scheme_end + 3;
