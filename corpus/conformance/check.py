@@ -182,7 +182,7 @@ def ask(command, cases):
     ended = subprocess.run(command, input="\n".join(lines) + "\n", stdout=subprocess.PIPE, encoding="utf-8")
     if ended.returncode:
         how = f"status {ended.returncode}" if ended.returncode > 0 else f"signal {-ended.returncode}"
-        raise ValueError(f"{command[0]} ended with {how}; 0 is expected, after an answer to each case")
+        refuse(f"{command[0]} ended with {how}; 0 is expected, after an answer to each case")
     return ended.stdout
 
 
@@ -202,7 +202,7 @@ def parse(text, name):
     is_declared = answers and isinstance(answers[0], dict) and "declaration" in answers[0]
     declared = answers.pop(0)["declaration"] if is_declared else {}
     if not isinstance(declared, dict):
-        raise ValueError(f"{name}: its declaration is no object")
+        refuse(f"{name}: its declaration is no object")
     declared = {key: value for key, value in declared.items() if value is not None}
     only = {"tie_bias": [0.0], "claims": ["manifold"], "clips": [True], "points": ["clip"], "normal": ["a_to_b"],
             "second_point": ["clip", "never"], "scalar": ["float32", "float64"],
@@ -238,7 +238,7 @@ def read_cases(path):
         try:
             cases.append(json.loads(line))
             if cases[-1]["format"] != "manifuzz/conformance/1":
-                raise ValueError("another format")
+                refuse("another format")
         except (ValueError, KeyError, TypeError):
             refuse(f"{path}:{number}: a case of manifuzz/conformance/1 is expected")
     for case in cases:
@@ -258,7 +258,7 @@ def check(options):
     if declared.get("second_point") == "never":
         give_one_point(cases)
     if len(answers) != len(cases):
-        raise ValueError(f"{len(answers)} answers; {len(cases)} are expected, a line a case")
+        refuse(f"{len(answers)} answers; {len(cases)} are expected, a line a case")
     wrong, unsupported, lines = 0, 0, []
     for case, answer in zip(cases, answers):
         is_asked = not (isinstance(answer, dict) and "unsupported" in answer)
@@ -268,7 +268,7 @@ def check(options):
             lines.append(f"{case['name']}: {why or ('right' if is_asked else 'unsupported')}")
     unsupported += left - len(cases)
     if unsupported == left:
-        raise ValueError(f"none of {left} cases was answered; nothing is checked")
+        refuse(f"none of {left} cases was answered; nothing is checked")
     result = "fail" if wrong else "pass"
     lines.append(f"{result}: {wrong} of {len(cases)} wrong, {unsupported} unsupported, as {scalar}")
     with os.fdopen(os.dup(1), "w") as out:  # what cannot be written is an error here, not at the end
@@ -288,7 +288,7 @@ def main():
         options = parser.parse_args(words[:words.index("--")])
         options.command = words[words.index("--") + 1:-1]
         if bool(options.answers) == bool(options.command):
-            raise ValueError("either a file of answers or, after --, a command is expected")
+            refuse("either a file of answers or, after --, a command is expected")
         return check(options)
     except (OSError, ValueError) as error:
         print(f"check.py: {error}", file=sys.stderr)
