@@ -120,9 +120,10 @@ bool edge_face_kept_by_hysteresis(const Deviation& d) {
 bool edge_clips_tied_incident(const Deviation& d) {
   const auto sides = edge_and_polygon(d.right.pair());
   if (!sides) return false;
-  const double bound = 2 * d.right.bounds.separation;
+  const double bound = d.right.bounds.separation;
   const double deepest = d.right.truth->separation(sides->edge);
-  return lead_over_hysteresis(*d.right.truth, *sides) <= bound &&
+  // What the clip lacks of the depth is wrong from the bound of one separation on.
+  return lead_over_hysteresis(*d.right.truth, *sides) <= 2 * bound &&
          any_clip_from(d, sides->edge,
                        [&](const BetweenEnds& clip) { return clip.nearest > deepest + bound; });
 }
