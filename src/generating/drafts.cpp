@@ -192,17 +192,20 @@ void frame(Random& random, Draft& draft, double exact) {
 
 namespace {
 
-bool is_valid(const Body& body) {
-  return !find_shape_defect(body.polygon.corners(), body.polygon.radius) &&
-         body.pose.position.allFinite() && body.pose.rotation.allFinite() &&
-         is_unit_rotation(body.pose.rotation) && std::isfinite(body.polygon.radius) &&
-         body.polygon.radius >= 0;
+bool is_valid(const Pose<float>& pose) {
+  return pose.position.allFinite() && pose.rotation.allFinite() && is_unit_rotation(pose.rotation);
+}
+
+bool is_valid(const ConvexPolygon<float>& shape) {
+  return std::isfinite(shape.radius) && shape.radius >= 0 &&
+         !find_shape_defect(shape.corners(), shape.radius);
 }
 
 }  // namespace
 
 std::vector<float*> free_numbers(PairCase& pair) {
   std::vector<float*> numbers;
+  numbers.reserve(2 * (2 * kMaxVertices + 3));
   for (const Side side : {Side::a, Side::b}) {
     Body& body = pair[side];
     for (int i = 0; i < body.polygon.count; ++i) {
@@ -216,10 +219,12 @@ std::vector<float*> free_numbers(PairCase& pair) {
   return numbers;
 }
 
-std::optional<PairCase> revalidated(PairCase pair) {
+std::optional<PairCase> revalidated(PairCase pair, KnownShapes is_known) {
   for (const Side side : {Side::a, Side::b}) {
     Body& body = pair[side];
-    if (!is_valid(body)) return std::nullopt;
+    if (!is_valid(body.pose)) return std::nullopt;
+    if (side == Side::a ? is_known.a : is_known.b) continue;
+    if (!is_valid(body.polygon)) return std::nullopt;
     body.polygon = make_polygon(body.polygon.corners(), body.polygon.radius, body.polygon.rounding);
   }
   return pair;

@@ -194,9 +194,15 @@ void frame(Random& random, Draft& draft, double exact = 0.5);
 /// The numbers of a case that may be changed one at a time: all vertices, positions and radii.
 std::vector<float*> free_numbers(PairCase& pair);
 
+/// Which shapes of a case are known to be valid, with their normals.
+struct KnownShapes {
+  bool a = false;
+  bool b = false;
+};
+
 /// The case with its normals computed afresh, or none where its vertices, poses or radii are not
-/// valid.
-std::optional<PairCase> revalidated(PairCase pair);
+/// valid. Shapes that are known to be are left as they stand.
+std::optional<PairCase> revalidated(PairCase pair, KnownShapes is_known = {});
 
 // Other ways to write a case that change no contact.
 

@@ -17,6 +17,16 @@ void renumber_by_chance(Random& random, PairCase& pair) {
   }
 }
 
+/// Whether a shape has the bits that it had, normals included: moves may leave these behind.
+bool is_untouched(const ConvexPolygon<float>& shape, const ConvexPolygon<float>& before) {
+  if (shape != before) return false;
+  for (int i = 0; i < shape.count; ++i) {
+    if (!same_bits(shape.vertices[i], before.vertices[i])) return false;
+    if (!same_bits(shape.normals[i], before.normals[i])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<PairCase> bred(Random& random, const PairCase& parent, const PairCase& mate,
@@ -35,9 +45,11 @@ std::optional<PairCase> bred(Random& random, const PairCase& parent, const PairC
                                                      : moves_of_places());
     move.make(random, child, mate);
   }
+  const KnownShapes known{is_untouched(child.a.polygon, parent.a.polygon),
+                          is_untouched(child.b.polygon, parent.b.polygon)};
   // Counting a shape's faces from another one changes no contact, and fills cells by itself.
   if (random.chance(0.25)) renumber_by_chance(random, child);
-  return revalidated(child);
+  return revalidated(child, known);
 }
 
 bool is_in_use(const PairCase& pair) {

@@ -12,24 +12,6 @@ bool is_subjects(const Bucket& bucket) {
   return bucket.fault == Fault::subject || bucket.fault == Fault::both;
 }
 
-/// Adds the shares of its bounds that a right answer's error takes.
-void add_shares(const JudgedPair& judged, Observation& observed) {
-  const exact::Truth& truth = *judged.truth;
-  const Declaration& declaration = judged.subject.declaration;
-  if (is_judged_by_curve(declaration, truth.pair())) {
-    observed[Gauge::depth_share] = curve_share(truth, judged.subject);
-    return;
-  }
-  const Admissible right = admissible(judged.truth, declaration);
-  const Answer answer = whole(judged.subject.answer, right, declaration);
-  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
-  if (manifold == nullptr) return;
-  const ManifoldError shares = clip_shares(*manifold, right);
-  observed[Gauge::normal_share] = shares.normal;
-  observed[Gauge::position_share] = shares.position;
-  observed[Gauge::depth_share] = shares.depth;
-}
-
 void add_error(const Judgement& judgement, Observation& observed) {
   const AnswerError& error = judgement.of_subject;
   observed[Gauge::error] = error.magnitude;
@@ -70,8 +52,28 @@ Observation observation_of(const JudgedPair& judged) {
   if (is_subjects(bucket)) {
     add_error(judged.judgement, observed);
   } else if (!is_of_lost(bucket) && used_by(judged.subject.answer) == nullptr) {
-    add_shares(judged, observed);
+    observed.gauges = shares_observed(judged.truth, judged.subject).gauges;
   }
+  return observed;
+}
+
+Observation shares_observed(const std::shared_ptr<const exact::Truth>& truth,
+                            const ColliderAnswer& given) {
+  Observation observed;
+  if (is_judged_by_curve(given.declaration, truth->pair())) {
+    const ManifoldError shares = curve_shares(*truth, given);
+    observed[Gauge::normal_share] = shares.normal;
+    observed[Gauge::depth_share] = shares.depth;
+    return observed;
+  }
+  const Admissible right = admissible(truth, given.declaration);
+  const Answer answer = whole(given.answer, right, given.declaration);
+  const auto* const manifold = std::get_if<Manifold<double>>(&answer);
+  if (manifold == nullptr) return observed;
+  const ManifoldError shares = clip_shares(*manifold, right);
+  observed[Gauge::normal_share] = shares.normal;
+  observed[Gauge::position_share] = shares.position;
+  observed[Gauge::depth_share] = shares.depth;
   return observed;
 }
 

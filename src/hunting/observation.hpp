@@ -50,6 +50,11 @@ Observation conditions_observed(const exact::Truth& truth, const Declaration& de
 
 Observation observation_of(const JudgedPair& judged);
 
+/// The shares of its bounds that the error of an answer takes, if it is a right one; whether it is
+/// must be asked besides, but that an answer held against clips takes none where it is wrong.
+Observation shares_observed(const std::shared_ptr<const exact::Truth>& truth,
+                            const ColliderAnswer& given);
+
 /// What a hunt keeps the greatest of in each cell; without a measure the error of a wrong answer,
 /// before that the share of a right one's bound.
 double value_of(const Observation& observed, const std::optional<Measure>& measure);

@@ -1,7 +1,5 @@
 #include "judging/bound_shares.hpp"
 
-#include <cmath>
-
 #include "judging/by_curve.hpp"
 #include "judging/curve_answer.hpp"
 
@@ -14,15 +12,16 @@ ManifoldError clip_shares(const Manifold<double>& manifold, const Admissible& ri
   return nearest ? nearest->of_bound : ManifoldError{};
 }
 
-double curve_share(const exact::Truth& truth, const ColliderAnswer& given) {
+ManifoldError curve_shares(const exact::Truth& truth, const ColliderAnswer& given) {
   const Declaration& declaration = given.declaration;
-  const auto said = said_along(given.answer);
+  const Said said = said_by(given.answer);
   const bool is_held_to_bounds = declaration.tie_bias.is_none() && declaration.tolerance.is_none();
-  if (!said || !touches(given.answer) || !is_held_to_bounds) return 0;
-  const CurveBounds bounds = with_turned_faces(
-      truth, said_by(given.answer), curve_bounds(truth.pair(), declaration, truth.extent()));
-  const exact::PenetrationCurve curve(truth, exact::skin_of(truth));
-  return std::abs(said->depth - curve.least()) / bounds.minimality;
+  if (!said.touches || !said.normal || said.normal->isZero(0) || !is_held_to_bounds) return {};
+  const CurveAnswer answer(truth, declaration, said,
+                           curve_bounds(truth.pair(), declaration, truth.extent()));
+  const exact::Along along(truth, *said.normal);
+  const double of_depth = answer.depth_share(along);
+  return {.normal = answer.normal_share(along), .depth = of_depth > 1 ? 0 : of_depth};
 }
 
 }  // namespace manifuzz

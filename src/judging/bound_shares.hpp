@@ -13,10 +13,10 @@ namespace manifuzz {
 /// takes the least.
 ManifoldError clip_shares(const Manifold<double>& manifold, const Admissible& right);
 
-/// The share of its bound that a depth takes which the penetration curve judges, against the least
-/// depth: somewhat above 1 where the depth is off from that along the normal, and that from the
-/// least. A collider that declares a tolerance or a tie bias has none: its answers may be off by
-/// more than bounds.
-double curve_share(const exact::Truth& truth, const ColliderAnswer& given);
+/// The shares that a right answer takes which the penetration curve judges: of its depth, and of
+/// its normal, or of the depth along that. A collider that declares a tolerance or a tie bias has
+/// none: its answers may be off by more than bounds; nor has a depth that is right only where
+/// corners may have passed each other.
+ManifoldError curve_shares(const exact::Truth& truth, const ColliderAnswer& given);
 
 }  // namespace manifuzz

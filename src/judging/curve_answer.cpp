@@ -135,6 +135,25 @@ bool CurveAnswer::is_least(const PenetrationCurve& curve, const Along& along) co
          curve.compare_excess(along, -bounds_.minimality) >= 0;
 }
 
+double CurveAnswer::depth_share(const Along& along) const {
+  const auto share = [&](double of, double bound) { return std::abs(said_.depth - of) / bound; };
+  const double of_least = share(curve_.least(), bounds_.touching);
+  if (nearest_.decides()) return of_least;
+  double least = share(along.depth(), bounds_.consistency);
+  if (is_gap_claimed(along)) {
+    const double of_gap = depth_error(along) / bounds_.consistency;
+    least = total_radius(truth_.pair()) == 0 ? of_gap : std::min(least, of_gap);
+  }
+  return may_be_apart() ? std::min(least, of_least) : least;
+}
+
+double CurveAnswer::normal_share(const Along& along) const {
+  const double of_excess = std::abs(along.depth() - curve_.least()) / bounds_.minimality;
+  if (!nearest_.may_be_near()) return of_excess;
+  const double of_error = nearest_.error(along.local_normal()) / nearest_.bound();
+  return nearest_.must_be_near() ? of_error : std::min(of_error, of_excess);
+}
+
 /// Where cores do not overlap by more than rounding, D* is right whatever the normal.
 bool CurveAnswer::is_distance(double depth) const {
   return may_be_apart() && curve_.compare_least(depth - bounds_.touching) >= 0 &&
@@ -146,8 +165,7 @@ bool CurveAnswer::may_be_apart() const {
 }
 
 bool CurveAnswer::is_minimal(const Along& along) const {
-  if (nearest_.may_be_near() && nearest_.error(along.local_normal()) <= nearest_.bound())
-    return true;
+  if (nearest_.may_be_near() && nearest_.is_near(along.local_normal())) return true;
   if (nearest_.must_be_near()) return false;
   if (is_least(curve_, along)) return true;
   // A bias lets a side's best face stand though one of the other's has less depth.

@@ -70,6 +70,10 @@ class CurveAnswer {
   bool is_depth(const exact::Along& along, double depth) const;
   /// By how much the depth that it gives is not, a world length.
   double depth_error(const exact::Along& along) const;
+  /// How much of its bound the depth takes, if it is right: at most 1, but for a gap's jump.
+  double depth_share(const exact::Along& along) const;
+  /// How much of theirs the normal, or the depth along it, takes, if it is right.
+  double normal_share(const exact::Along& along) const;
   /// Whether each of its points lies where it claims, and overlaps there by what it claims.
   bool has_witnesses(const exact::Along& along) const;
   bool is_where_claimed(const ContactPoint<double>& point) const;

@@ -221,16 +221,18 @@ NearestNormal::NearestNormal(const exact::Truth& truth, const exact::Penetration
       is_in_front_of_inside({pair, curve.face()}, bound_of_separation_, bound_of_separation_);
 }
 
+double NearestNormal::off(const Vector2<double>& normal, const Place& right) const {
+  const Place by = in_world(truth_->stored(), normal) - right;
+  return std::sqrt(dot(by, by).high);
+}
+
+bool NearestNormal::is_near(const Vector2<double>& normal) const {
+  return off(normal, direction_) <= bound() || error(normal) <= bound();
+}
+
 double NearestNormal::error(const Vector2<double>& normal) const {
-  const exact::StoredPair& pair = truth_->stored();
-  const Place given = in_world(pair, normal);
-  const auto off = [&](const Place& right) {
-    const Place by = given - right;
-    return std::sqrt(dot(by, by).high);
-  };
-  double least = off(direction_);
-  if (least <= bound()) return least;
-  for (const Place& right : as_near()) least = std::min(least, off(right));
+  double least = off(normal, direction_);
+  for (const Place& right : as_near()) least = std::min(least, off(normal, right));
   return least;
 }
 

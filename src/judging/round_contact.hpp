@@ -26,6 +26,8 @@ class NearestNormal {
   }
   /// Whether a normal may be near the nearest direction, whatever its excess.
   bool may_be_near() const { return decides() && !is_inside_face_; }
+  /// Whether the error of a normal is within its bound.
+  bool is_near(const Vector2<double>& normal) const;
   /// |n - n*|, the normal in A's frame; n* is also that of any face with a vertex in front of it,
   /// and of any two vertices, whose distance rounding cannot tell from the least.
   double error(const Vector2<double>& normal) const;
@@ -36,6 +38,7 @@ class NearestNormal {
   double bound() const;
 
  private:
+  double off(const Vector2<double>& normal, const exact::Point<exact::DoubleDouble>& right) const;
   /// The directions of faces and vertices that rounding cannot tell from the nearest.
   std::vector<exact::Point<exact::DoubleDouble>> as_near() const;
 

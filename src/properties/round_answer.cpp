@@ -160,7 +160,8 @@ PropertyOutcome manifold_is_right_by_curve(AskedCollider& ask, const PairCase& p
   const ColliderAnswer answer{ask.declaration(), *manifold};
   const Judgement judgement = judge(pair, answer, answer);
   if (judgement.bucket.fault == Fault::none) {
-    return holds(std::min(curve_share(exact::Truth(pair), answer), 1.0));
+    const ManifoldError shares = curve_shares(exact::Truth(pair), answer);
+    return holds(std::min(std::max(shares.normal, shares.depth), 1.0));
   }
   return fails("wrong: " + std::string(name_of(judgement.bucket.kind, kKindNames)),
                judgement.magnitude);

@@ -36,7 +36,7 @@ class RoundAnswer {
   double normal_bound() const { return nearest_.bound(); }
   /// Whether it is one of those that rounding cannot tell from the nearest, of which there may be
   /// several.
-  bool has_right_normal() const { return nearest_.error(manifold_->normal) <= nearest_.bound(); }
+  bool has_right_normal() const { return nearest_.is_near(manifold_->normal); }
   /// How far the cores are apart, less the bound of that: at least so far they are.
   double distance() const;
 

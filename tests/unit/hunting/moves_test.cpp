@@ -5,6 +5,7 @@
 #include "exact/truth.hpp"
 #include "generating/drafts.hpp"
 #include "generating/regime.hpp"
+#include "hunting/breeding.hpp"
 
 using namespace manifuzz;
 
@@ -57,6 +58,22 @@ TEST_CASE("a move is made again by the same random numbers") {
       // What is no number is equal to nothing.
       const auto first = revalidated(children[0]);
       if (first) CHECK(first == revalidated(children[1]));
+    }
+  }
+}
+
+TEST_CASE("what is bred has the normals of its vertices, whatever was left of its parent") {
+  for (std::uint64_t number = 0; number < 20000; ++number) {
+    Random random(3, "bred", number);
+    const auto child = bred(random, drawn(number), drawn(number + 1), 0.25);
+    if (!child) continue;
+    const auto valid = revalidated(*child);
+    REQUIRE(valid);
+    for (const Side side : {Side::a, Side::b}) {
+      const auto& [shape, anew] = std::pair((*child)[side].polygon, (*valid)[side].polygon);
+      for (int i = 0; i < shape.face_count(); ++i) {
+        REQUIRE(same_bits(shape.normals[i], anew.normals[i]));
+      }
     }
   }
 }

@@ -40,6 +40,9 @@ TEST_CASE("a line a bound, and status 0, where all answers are within") {
                                    "found/worst/x.json\n"));
   CHECK(lines_of(outcome.out).size() == 7);
   CHECK(bounds("5e-05").status == 0);
+  const Outcome of_one = bounds("0.4321", 0, {"--collider", "gjk"});
+  CHECK(lines_of(of_one.out).size() == 2);
+  CHECK_THAT(of_one.out, Contains("position              gjk              0.432       0.250"));
 }
 
 TEST_CASE("an answer beyond its bound, or a wrong one, is status 1") {
@@ -49,8 +52,12 @@ TEST_CASE("an answer beyond its bound, or a wrong one, is status 1") {
 }
 
 TEST_CASE("what the bounds are asked with is checked, and a hunt that fails ends it") {
-  for (const std::vector<std::string>& wrong :
-       {std::vector<std::string>{"--cases", "many"}, {"--cases"}, {"--seed", "-1"}, {"clip"}}) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--cases", "many"},
+                                                {"--cases"},
+                                                {"--seed", "-1"},
+                                                {"--climbs", "-2"},
+                                                {"--collider"},
+                                                {"clip"}}) {
     const Outcome outcome = bounds("0.5", 0, wrong);
     CHECK(outcome.status == 2);
     CHECK(is_one_clear_line(outcome.err));
