@@ -67,9 +67,9 @@ class Manifuzz(ConanFile):
     def package_info(self):
         # The package's own CMake files, which know options that headers need.
         self.cpp_info.set_property("cmake_find_mode", "none")
-        self.cpp_info.builddirs.append("lib/cmake/manifuzz")
         for part in PARTS:
             component = self.cpp_info.components[part]
+            component.builddirs = ["lib/cmake/manifuzz"]
             component.set_property("pkg_config_name", f"manifuzz-{part}")
             component.libs = [f"manifuzz_{part}"] if part in STATIC_PARTS else []
             if part in BENEATH:
