@@ -104,11 +104,13 @@ bool second_point_of_parry_capsules(const Deviation& d) {
   return is_right<Engine>(d, *replay);
 }
 
-/// Two capsules whose cores overlap, or touch to rounding: their distance gives the normal.
+/// Two capsules whose cores overlap, or touch to rounding: their distance gives the normal, along
+/// which points are placed.
 template <class Engine>
 bool crossing_of_parry_capsules(const Deviation& d) {
   const auto replay = replay_by<Engine>(d, {Route::capsules});
-  return replay && !ledger_of::is_of_points(d.kind) && cores_apart(d) <= bound_of(d);
+  const bool is_of_normal = !ledger_of::is_of_points(d.kind) || d.kind == Kind::witness;
+  return replay && is_of_normal && cores_apart(d) <= bound_of(d);
 }
 
 /// Two capsules whose nearest places are off by roundings over the square of the sine between both.
