@@ -17,7 +17,7 @@ constexpr int kDrawn = 256;
 /// A bound has the defect of rotations in it, and an error half of that at most: where a defect is
 /// large nothing else is seen. Every other climb stays where it is no more than rounding leaves.
 constexpr double kSmallDefect = 0x1p-22;
-/// A share of moves that is of single numbers: what is high is left in small steps.
+/// A share of moves that is of single numbers: from what is high, small steps alone lead higher.
 constexpr double kOfNumbers = 0.7;
 
 class Climber {
@@ -65,8 +65,8 @@ class Climber {
     if (share >= here_.share) here_ = {share, pair};
   }
 
-  /// Of the summit's bound; 0 where the climb does not go, the answer is wrong, or says that they
-  /// are apart.
+  /// The share of the summit's bound; 0 where the climb does not go, the answer is wrong, or says
+  /// that they are apart.
   double share_at(const PairCase& pair) {
     if (has_small_defects_ &&
         std::max(rotation_defect(pair.a), rotation_defect(pair.b)) > kSmallDefect) {

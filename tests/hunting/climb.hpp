@@ -19,7 +19,7 @@ struct Summit {
   bool is_round = false;  ///< of round shapes, else of polygons with sharp corners
 };
 
-/// Those of a collider: of what the penetration curve judges, positions have no shares.
+/// Every summit of a collider: of what the penetration curve judges, positions have no shares.
 std::vector<Summit> summits_of(const Declaration& declaration);
 
 /// A case and the share of a bound that a right answer to it takes.
@@ -40,8 +40,8 @@ struct Climbed {
 /// Climbs towards a summit: each of so many cases is bred from the highest yet, and takes its place
 /// where it is as high or higher. Of three climbs one begins with the best of some drawn cases, one
 /// with those of them whose rotations are unit but for rounding, where it stays, and one with one
-/// of the `founders`. It keeps no archive and asks no oracle, so it breeds ten times as many cases
-/// in a second as a hunt does; what it finds is for a hunt to begin with. A function of its
+/// of the `founders`. It keeps no archive and asks no oracle, so it breeds several times as many
+/// cases in a second as a hunt does; what it finds is for a hunt to begin with. A function of its
 /// arguments alone.
 Climbed climb(const Summit& summit, const Collider& collider, std::span<const PairCase> founders,
               std::uint64_t seed, std::uint64_t index, std::uint64_t cases);
