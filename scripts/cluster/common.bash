@@ -18,7 +18,7 @@ complain() {
 
 # print_help: the first comment of the script.
 print_help() {
-  sed -n '2,/^set /{s/^# \{0,1\}//;/^set /d;p}' "$0"
+  "$cluster/../print_help" "$0"
 }
 
 # Options that each task is given; several tasks must not write to one file.
