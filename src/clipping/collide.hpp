@@ -38,8 +38,9 @@ template <class Scalar>
   Manifold<Scalar> manifold = clip_features(a, b, features);
   if (tie_bias > 0 && manifold.count > 0) return manifold;
   const Scalar greatest = std::max(of_a.separation, of_b.separation);
-  return misses_deepest(a, b, manifold, chosen.separation, greatest) ? deepest_contact(a, b)
-                                                                     : manifold;
+  return misses_deepest(a, b, manifold, chosen.separation, greatest)
+             ? deepest_contact_or(a, b, manifold)
+             : manifold;
 }
 
 /// The contact of round shapes with faces, from those of greatest separation, no more than the

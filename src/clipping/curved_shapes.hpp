@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -10,6 +11,20 @@
 // features are a point or an edge; a point on either side is the manifold, two edges are clipped.
 
 namespace manifuzz::clipping {
+
+/// Whether a vertex of the opposing core is inside of a polygon, behind each of its faces by more
+/// than `roundoff`, a length.
+template <class Scalar>
+bool has_vertex_inside(const ConvexPolygon<Scalar>& polygon, const ConvexPolygon<Scalar>& opposing,
+                       Scalar roundoff) {
+  const auto is_inside = [&](const Vector2<Scalar>& point) {
+    for (int i = 0; i < polygon.count; ++i) {
+      if (polygon.normals[i].dot(point - polygon.vertices[i]) >= -roundoff) return false;
+    }
+    return true;
+  };
+  return polygon.count >= kMinVertices && std::ranges::any_of(opposing.corners(), is_inside);
+}
 
 /// Whether cores overlap by more than rounding, so that faces decide. What overlaps has its
 /// outlines at least as near as the overlap is deep: segments on one line, end to end, do not,
@@ -24,6 +39,7 @@ bool do_cores_overlap(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar
   const ConvexPolygon<Scalar>& polygon = by_a ? a : b;
   const ConvexPolygon<Scalar>& opposing = by_a ? b : a;
   if (is_before_face(polygon, found.face, opposing.vertices[found.deepest])) return true;
+  if (has_vertex_inside(a, b, roundoff) || has_vertex_inside(b, a, roundoff)) return true;
   return std::sqrt(squared_between_outlines(a, b)) <=
          static_cast<double>(roundoff - found.separation);
 }

@@ -24,15 +24,21 @@ Scalar separation_roundoff(const ConvexPolygon<Scalar>& a, const ConvexPolygon<S
   return 4 * u * (reach_in_frame(a) + reach_in_frame(b));
 }
 
+/// The depth of the deepest point, of a manifold that has some.
+template <class Scalar>
+Scalar greatest_depth(const Manifold<Scalar>& manifold) {
+  const Scalar first = manifold.points[0].depth;
+  return manifold.count > 1 ? std::max(first, manifold.points[1].depth) : first;
+}
+
 /// Whether polygons overlap (`greatest` being the greatest separation) and the manifold is less
 /// deep than its own face's `separation`, both by more than rounding: the face's slab misses the
 /// deepest vertex.
 template <class Scalar>
 bool misses_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                     const Manifold<Scalar>& manifold, Scalar separation, Scalar greatest) {
-  Scalar deepest = a.radius + b.radius;  // the face itself, where there is no point
-  if (manifold.count > 0) deepest = manifold.points[0].depth;
-  if (manifold.count > 1) deepest = std::max(deepest, manifold.points[1].depth);
+  // Without a point it is the face itself.
+  const Scalar deepest = manifold.count > 0 ? greatest_depth(manifold) : a.radius + b.radius;
   const Scalar missing = a.radius + b.radius - separation - deepest;
   const Scalar least = std::min(missing, -greatest);
   return least > 0 && least > separation_roundoff(a, b);
@@ -73,7 +79,7 @@ bool is_deepest_in_slab(const ConvexPolygon<Scalar>& polygon, const FaceSeparati
 }
 
 /// The manifold of a face whose slab holds the deepest of the overlap; empty where it does not. The
-/// incident edge is the most opposed one, or one that rounding cannot tell from it, whose clip is
+/// incident edge is the most opposed one of those that rounding cannot tell apart and whose clip is
 /// as deep as the face's separation; failing that, an end of such an edge alone that is as deep and
 /// lies in the slab, or the deepest clip where the end is outside the slab by rounding only. An
 /// end, since of a shape that is thinner than rounding any vertex may be called the deepest.
@@ -89,17 +95,23 @@ Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const Conve
   constexpr Scalar dot_roundoff =
       2 * std::numeric_limits<Scalar>::epsilon();  // less than half of 9 u
   const Scalar least = normal.dot(opposing.normals[incident_edge(opposing, normal)]);
+  Manifold<Scalar> deep_clip;
+  Scalar dot_of_deep_clip = std::numeric_limits<Scalar>::infinity();
   Manifold<Scalar> deepest_clip;
   Scalar depth_of_clip = 0;
   FaceSeparation<Scalar> lone = found;
   bool has_lone = false;
   for (int j = 0; j < opposing.count; ++j) {
-    if (normal.dot(opposing.normals[j]) > least + dot_roundoff) continue;
-    Manifold<Scalar> clipped = clip_features<Scalar>(a, b, {side, found.face, j});
-    for (int k = 0; k < clipped.count; ++k) {
-      if (clipped.points[k].depth >= depth) return clipped;
-      if (clipped.points[k].depth < depth_of_clip) continue;
-      depth_of_clip = clipped.points[k].depth;
+    const Scalar dot = normal.dot(opposing.normals[j]);
+    if (dot > least + dot_roundoff) continue;
+    const Manifold<Scalar> clipped = clip_features<Scalar>(a, b, {side, found.face, j});
+    const Scalar depth_of_this = clipped.count > 0 ? greatest_depth(clipped) : Scalar(0);
+    if (clipped.count > 0 && depth_of_this >= depth && dot < dot_of_deep_clip) {
+      deep_clip = clipped;
+      dot_of_deep_clip = dot;
+    }
+    if (clipped.count > 0 && depth_of_this >= depth_of_clip) {
+      depth_of_clip = depth_of_this;
       deepest_clip = clipped;
     }
     for (const int end : {j, opposing.next(j)}) {
@@ -112,6 +124,7 @@ Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const Conve
       has_lone = true;
     }
   }
+  if (deep_clip.count > 0) return deep_clip;
   if (!has_lone) return {};
   const bool clipped_off =
       deepest_clip.count > 0 &&
@@ -119,19 +132,28 @@ Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const Conve
   return clipped_off ? deepest_clip : lone_vertex(reference, side, lone, opposing);
 }
 
-/// The manifold of overlapping polygons whose features were chosen so that the clip kept nothing:
-/// by a tie bias, or because two faces or edges are nearer than rounding can tell, and the slab of
-/// the wrong one misses the deepest vertex. Takes the face of greatest separation, of either
-/// polygon, whose slab holds it: the true one does, since the shortest way out of an overlap ends
-/// inside a face. Neither the article nor Box2D does it: both report no contact there. Never empty:
-/// the last resort is the deepest vertex alone.
+/// The contact of an overlap that is as deep as the overlap, by the face of greatest separation
+/// whose slab holds the deepest vertex; or that vertex alone.
 template <class Scalar>
-Manifold<Scalar> deepest_contact(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
+struct DeepestContact {
+  Manifold<Scalar> manifold;     ///< empty where no slab holds a deepest vertex
+  Scalar excess = 0;             ///< by how much its face separates less than the greatest, >= 0
+  Manifold<Scalar> lone_vertex;  ///< behind the face of greatest separation, whatever its slab
+  Scalar overlap = 0;            ///< how deep the greatest separation says that they overlap
+};
+
+/// Of overlapping polygons whose features were chosen so that the clip kept too little: by a tie
+/// bias, or because two faces or edges are nearer than rounding can tell, and the slab of the wrong
+/// one misses the deepest vertex. The true face's slab holds it, since the shortest way out of an
+/// overlap ends inside a face. Neither the article nor Box2D does it: both report no contact there.
+template <class Scalar>
+DeepestContact<Scalar> find_deepest_contact(const ConvexPolygon<Scalar>& a,
+                                            const ConvexPolygon<Scalar>& b) {
+  constexpr Scalar none = -std::numeric_limits<Scalar>::infinity();
   const Scalar roundoff = separation_roundoff(a, b);
-  Manifold<Scalar> contact;
-  Manifold<Scalar> last_resort;
-  Scalar greatest = -std::numeric_limits<Scalar>::infinity();
-  Scalar greatest_of_all = greatest;
+  DeepestContact<Scalar> deepest;
+  Scalar greatest = none;
+  Scalar greatest_of_all = none;
   for (const Side side : {Side::a, Side::b}) {
     const ConvexPolygon<Scalar>& reference = side == Side::a ? a : b;
     const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
@@ -139,16 +161,49 @@ Manifold<Scalar> deepest_contact(const ConvexPolygon<Scalar>& a, const ConvexPol
       const FaceSeparation<Scalar> found = face_separation(reference, i, opposing);
       if (found.separation > greatest_of_all) {
         greatest_of_all = found.separation;
-        last_resort = lone_vertex(reference, side, found, opposing);
+        deepest.lone_vertex = lone_vertex(reference, side, found, opposing);
       }
       if (found.separation <= greatest) continue;
       const Manifold<Scalar> behind = contact_behind_face(a, b, side, found, roundoff);
       if (behind.count == 0) continue;
       greatest = found.separation;
-      contact = behind;
+      deepest.manifold = behind;
     }
   }
-  return contact.count > 0 ? contact : last_resort;
+  deepest.excess = greatest_of_all - greatest;
+  deepest.overlap = -greatest_of_all;
+  return deepest;
+}
+
+/// Whether the face of a deepest contact is no answer to the overlap, though no other one holds its
+/// deepest vertex. Of polygons that overlap by more than the bound of a separation, b, the true one
+/// does: computed, the overlap is at least what b is rounded up by, 0.3 u E, and that face
+/// separates less than the greatest by 2 b at most, 171 times as much in double
+/// (src/judging/bounds.md).
+template <class Scalar>
+bool is_far_off(const DeepestContact<Scalar>& deepest) {
+  return deepest.manifold.count > 0 && deepest.excess > 256 * deepest.overlap;
+}
+
+/// The deepest contact of an overlap; never empty.
+template <class Scalar>
+Manifold<Scalar> deepest_contact(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
+  const DeepestContact<Scalar> deepest = find_deepest_contact(a, b);
+  return deepest.manifold.count == 0 || is_far_off(deepest) ? deepest.lone_vertex
+                                                            : deepest.manifold;
+}
+
+/// The deepest contact in place of a clip that misses the deepest, unless that is worse: its face
+/// separates less, by more than the clip lacks of the depth. Where nothing was kept, and no face
+/// will do, they overlap by no more than rounding, and nothing is right.
+template <class Scalar>
+Manifold<Scalar> deepest_contact_or(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                                    const Manifold<Scalar>& clipped) {
+  const DeepestContact<Scalar> deepest = find_deepest_contact(a, b);
+  if (deepest.manifold.count == 0) return clipped.count > 0 ? clipped : deepest.lone_vertex;
+  if (clipped.count == 0) return is_far_off(deepest) ? clipped : deepest.manifold;
+  const Scalar lacking = a.radius + b.radius + deepest.overlap - greatest_depth(clipped);
+  return deepest.excess > lacking ? clipped : deepest.manifold;
 }
 
 }  // namespace manifuzz::clipping

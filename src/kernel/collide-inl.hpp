@@ -182,11 +182,13 @@ HWY_NOINLINE void put_deepest_contacts(D d, const Strip<D>& s, hn::Mask<D> needs
   for_each_lane(d, needs, [&](std::size_t lane) {
     const int column = s.column + static_cast<int>(lane);
     const auto at = [&](int row) { return s.rows[row].column[column]; };
-    put(deepest_contact<T>({{s.corners[0], s.corners[1]},
-                            column,
-                            {static_cast<int>(at(kCountA)), static_cast<int>(at(kCountB))},
-                            {at(kTotalRadius), 0}}),
-        out, column);
+    const Manifold<T> deepest =
+        deepest_contact_or<T>({{s.corners[0], s.corners[1]},
+                               column,
+                               {static_cast<int>(at(kCountA)), static_cast<int>(at(kCountB))},
+                               {at(kTotalRadius), 0}},
+                              manifold(out, column));
+    if (deepest.count > 0) put(deepest, out, column);  // else the gap stays there
   });
 }
 

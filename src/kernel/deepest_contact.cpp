@@ -26,10 +26,11 @@ void copy_column(const ColumnPair<Scalar>& pair, ConvexPolygon<Scalar> (&polygon
 }  // namespace
 
 template <class Scalar>
-[[gnu::flatten]] Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair) {
+[[gnu::flatten]] Manifold<Scalar> deepest_contact_or(const ColumnPair<Scalar>& pair,
+                                                     const Manifold<Scalar>& clipped) {
   ConvexPolygon<Scalar> polygons[2];
   copy_column(pair, polygons);
-  return clipping::deepest_contact(polygons[0], polygons[1]);
+  return clipping::deepest_contact_or(polygons[0], polygons[1], clipped);
 }
 
 template <class Scalar>
@@ -47,7 +48,7 @@ template <class Scalar>
   const ConvexPolygon<float> polygon_a = polygon_of(a);
   const ConvexPolygon<float> polygon_b = polygon_of(b);
   return clipping::misses_deepest(polygon_a, polygon_b, manifold, separation, greatest)
-             ? clipping::deepest_contact(polygon_a, polygon_b)
+             ? clipping::deepest_contact_or(polygon_a, polygon_b, manifold)
              : manifold;
 }
 
@@ -56,8 +57,8 @@ template <class Scalar>
   return clipping::collide_in_frame(polygon_of(a), polygon_of(b), tie_bias);
 }
 
-template Manifold<float> deepest_contact(const ColumnPair<float>&);
-template Manifold<double> deepest_contact(const ColumnPair<double>&);
+template Manifold<float> deepest_contact_or(const ColumnPair<float>&, const Manifold<float>&);
+template Manifold<double> deepest_contact_or(const ColumnPair<double>&, const Manifold<double>&);
 template Manifold<float> collide_round_column(const ColumnPair<float>&, float);
 template Manifold<double> collide_round_column(const ColumnPair<double>&, double);
 

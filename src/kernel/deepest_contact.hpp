@@ -15,17 +15,19 @@ struct ColumnPair {
   Scalar radius[2];
 };
 
-/// `clipping::deepest_contact` of one pair: the rare pair whose chosen clip misses the overlap is
-/// handed back to the clean code, which is compiled apart from the kernels, without their target.
+/// `clipping::deepest_contact_or` of one pair: the rare pair whose chosen clip misses the overlap
+/// is handed back to the clean code, which is compiled apart from the kernels, without their
+/// target.
 template <class Scalar>
-Manifold<Scalar> deepest_contact(const ColumnPair<Scalar>& pair);
+Manifold<Scalar> deepest_contact_or(const ColumnPair<Scalar>& pair,
+                                    const Manifold<Scalar>& clipped);
 
 /// `clipping::collide_in_frame` of one pair with a round shape, in which rounding decides.
 template <class Scalar>
 Manifold<Scalar> collide_round_column(const ColumnPair<Scalar>& pair, Scalar tie_bias);
 
-/// `manifold`, unless it misses the overlap by `clipping::misses_deepest`: then the deepest
-/// contact. Both shapes are in A's frame.
+/// `manifold`, unless it misses the overlap by `clipping::misses_deepest`: then
+/// `clipping::deepest_contact_or`. Both shapes are in A's frame.
 Manifold<float> with_deepest_contact(const ShapeRows& a, const ShapeRows& b,
                                      const Manifold<float>& manifold, float separation,
                                      float greatest);
