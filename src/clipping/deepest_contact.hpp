@@ -32,8 +32,8 @@ Scalar greatest_depth(const Manifold<Scalar>& manifold) {
 }
 
 /// Whether polygons overlap (`greatest` being the greatest separation) and the manifold is less
-/// deep than its own face's `separation`, both by more than rounding: the face's slab misses the
-/// deepest vertex.
+/// deep than its own face's `separation`, both by more than rounding, that of sums with the total
+/// radius included: the face's slab misses the deepest vertex.
 template <class Scalar>
 bool misses_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                     const Manifold<Scalar>& manifold, Scalar separation, Scalar greatest) {
@@ -41,7 +41,8 @@ bool misses_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>&
   const Scalar deepest = manifold.count > 0 ? greatest_depth(manifold) : a.radius + b.radius;
   const Scalar missing = a.radius + b.radius - separation - deepest;
   const Scalar least = std::min(missing, -greatest);
-  return least > 0 && least > separation_roundoff(a, b);
+  constexpr Scalar u = std::numeric_limits<Scalar>::epsilon() / 2;
+  return least > 0 && least > separation_roundoff(a, b) + 4 * u * (a.radius + b.radius);
 }
 
 /// Whether the slab of a face, widened by `margin` (a length), holds a point of the polygon's

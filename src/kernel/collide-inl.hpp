@@ -155,7 +155,10 @@ HWY_INLINE hn::Mask<D> misses_deepest(D d, const Strip<D>& s, const LaneManifold
   const auto might = hn::And(among, hn::Gt(least, hn::Zero(d)));
   if (HWY_LIKELY(hn::AllFalse(d, might))) return might;
   constexpr T u = std::numeric_limits<T>::epsilon() / 2;
-  return hn::And(might, hn::Gt(least, hn::Mul(hn::Set(d, 4 * u), reach_of_both(d, s))));
+  const auto four_u = hn::Set(d, 4 * u);
+  const auto roundoff =
+      hn::Add(hn::Mul(four_u, reach_of_both(d, s)), hn::Mul(four_u, total_radius));
+  return hn::And(might, hn::Gt(least, roundoff));
 }
 
 template <class D>
