@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -71,15 +72,47 @@ std::optional<Manifold<Scalar>> contact_inside_faces(const ConvexPolygon<Scalar>
   return contact_at_face(a, b, best->side, best->found.face, separation, place_at_best);
 }
 
+/// How far a point lies past the ends of a face, along it; 0 between them.
+template <class Scalar>
+Scalar past_ends(const ConvexPolygon<Scalar>& polygon, int face, const Vector2<Scalar>& point) {
+  const Vector2<Scalar> along = clipping::along_face(polygon, face);
+  return std::max({along.dot(polygon.vertices[face] - point),
+                   along.dot(point - polygon.vertices[polygon.next(face)]), Scalar(0)});
+}
+
+/// The other core's deepest vertex behind a face or, where that lies past the face's ends by more
+/// than `roundoff`, of those as deep but for it the one that does so least.
+template <class Scalar>
+int deepest_before_face(const ConvexPolygon<Scalar>& polygon,
+                        const clipping::FaceSeparation<Scalar>& found,
+                        const ConvexPolygon<Scalar>& other, Scalar roundoff) {
+  int deepest = found.deepest;
+  Scalar past = past_ends(polygon, found.face, other.vertices[deepest]);
+  if (past <= roundoff) return deepest;
+  for (int j = 0; j < other.count; ++j) {
+    const Vector2<Scalar>& corner = other.vertices[j];
+    const Scalar separation =
+        polygon.normals[found.face].dot(corner - polygon.vertices[found.face]);
+    if (separation > found.separation + roundoff) continue;
+    const Scalar past_here = past_ends(polygon, found.face, corner);
+    if (past_here >= past) continue;
+    past = past_here;
+    deepest = j;
+  }
+  return deepest;
+}
+
 /// The contact at the deepest vertex of the face that separates most.
 template <class Scalar>
 Manifold<Scalar> contact_at_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                    const NearestFaces<Scalar>& faces) {
+                                    const NearestFaces<Scalar>& faces, Scalar roundoff) {
   const auto [side, found] = faces.greatest();
-  const Vector2<Scalar>& deepest = (side == Side::a ? b : a).vertices[found.deepest];
+  const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
+  const ConvexPolygon<Scalar>& other = side == Side::a ? b : a;
+  const int deepest = deepest_before_face(polygon, found, other, roundoff);
   return contact_at_face<Scalar>(
       a, b, side, found.face, found.separation,
-      {deepest, clipping::face(found.face), clipping::vertex(found.deepest)});
+      {other.vertices[deepest], clipping::face(found.face), clipping::vertex(deepest)});
 }
 
 /// The contact of mitred polygons that are nearest at two vertices. Skins touch along faces alone,
@@ -111,7 +144,7 @@ Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const Conve
                                      const clipping::NearestPlaces<Scalar>& nearest,
                                      Scalar roundoff) {
   const auto normal = clipping::nearest_normal(a, b, faces.of_a, faces.of_b, nearest, roundoff);
-  if (!normal) return contact_at_deepest(a, b, faces);
+  if (!normal) return contact_at_deepest(a, b, faces, roundoff);
   return clipping::nearest_contact(a, b, nearest, *normal, roundoff, SecondPoint::never());
 }
 
@@ -121,7 +154,9 @@ Manifold<Scalar> contact_outside_faces(const ConvexPolygon<Scalar>& a,
                                        const ConvexPolygon<Scalar>& b,
                                        const NearestFeatures<Scalar>& nearest, Scalar roundoff) {
   if (clipping::is_circle(a) && clipping::is_circle(b)) return clipping::contact_of_circles(a, b);
-  if (nearest.apartness == Apartness::overlapping) return contact_at_deepest(a, b, nearest.faces);
+  if (nearest.apartness == Apartness::overlapping) {
+    return contact_at_deepest(a, b, nearest.faces, roundoff);
+  }
   return are_round(a, b) ? contact_of_vertices(a, b, nearest.faces, nearest.vertices, roundoff)
                          : contact_of_skins(a, b, nearest.faces, nearest.vertices);
 }
