@@ -1,5 +1,7 @@
 #include "judging/bound_shares.hpp"
 
+#include <algorithm>
+
 #include "judging/by_curve.hpp"
 #include "judging/curve_answer.hpp"
 
@@ -20,8 +22,9 @@ ManifoldError curve_shares(const exact::Truth& truth, const ColliderAnswer& give
   const CurveAnswer answer(truth, declaration, said,
                            curve_bounds(truth.pair(), declaration, truth.extent()));
   const exact::Along along(truth, *said.normal);
-  const double of_depth = answer.depth_share(along);
-  return {.normal = answer.normal_share(along), .depth = of_depth > 1 ? 0 : of_depth};
+  // What little of a gap's slope is left, and roundings, may take a right answer past its bound.
+  return {.normal = std::min(answer.normal_share(along), 1.0),
+          .depth = std::min(answer.depth_share(along), 1.0)};
 }
 
 }  // namespace manifuzz

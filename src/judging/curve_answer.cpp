@@ -135,12 +135,21 @@ bool CurveAnswer::is_least(const PenetrationCurve& curve, const Along& along) co
          curve.compare_excess(along, -bounds_.minimality) >= 0;
 }
 
+/// Whether G hardly depends on where rounding puts B along the tangent: where corners pass each
+/// other it jumps, and a depth may be any of the G between, at no share of a bound.
+bool CurveAnswer::is_gap_steady(const Along& along) const {
+  const double little = bounds_.consistency / 16;
+  return along.meets() && along.compare_gap(along.gap() + little, slide()) <= 0 &&
+         along.compare_least_gap(along.gap() - little, slide()) >= 0;
+}
+
 double CurveAnswer::depth_share(const Along& along) const {
   const auto share = [&](double of, double bound) { return std::abs(said_.depth - of) / bound; };
   const double of_least = share(curve_.least(), bounds_.touching);
   if (nearest_.decides()) return of_least;
   double least = share(along.depth(), bounds_.consistency);
   if (is_gap_claimed(along)) {
+    if (!is_gap_steady(along)) return 0;
     const double of_gap = depth_error(along) / bounds_.consistency;
     least = total_radius(truth_.pair()) == 0 ? of_gap : std::min(least, of_gap);
   }

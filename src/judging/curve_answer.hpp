@@ -70,7 +70,8 @@ class CurveAnswer {
   bool is_depth(const exact::Along& along, double depth) const;
   /// By how much the depth that it gives is not, a world length.
   double depth_error(const exact::Along& along) const;
-  /// How much of its bound the depth takes, if it is right: at most 1, but for a gap's jump.
+  /// How much of its bound the depth takes, if it is right; 0 where corners may have passed each
+  /// other.
   double depth_share(const exact::Along& along) const;
   /// How much of theirs the normal, or the depth along it, takes, if it is right.
   double normal_share(const exact::Along& along) const;
@@ -81,6 +82,7 @@ class CurveAnswer {
  private:
   bool may_be_missed() const;
   bool is_gap_claimed(const exact::Along& along) const;
+  bool is_gap_steady(const exact::Along& along) const;
   double slide() const { return 2 * (bounds_.along + tolerance_); }
   bool is_least(const exact::PenetrationCurve& curve, const exact::Along& along) const;
   bool is_distance(double depth) const;

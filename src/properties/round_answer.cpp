@@ -161,7 +161,7 @@ PropertyOutcome manifold_is_right_by_curve(AskedCollider& ask, const PairCase& p
   const Judgement judgement = judge(pair, answer, answer);
   if (judgement.bucket.fault == Fault::none) {
     const ManifoldError shares = curve_shares(exact::Truth(pair), answer);
-    return holds(std::min(std::max(shares.normal, shares.depth), 1.0));
+    return holds(std::max(shares.normal, shares.depth));
   }
   return fails("wrong: " + std::string(name_of(judgement.bucket.kind, kKindNames)),
                judgement.magnitude);
