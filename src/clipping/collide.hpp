@@ -94,8 +94,9 @@ template <class Scalar>
 /// The manifold of two shapes that stand in one frame, which is the manifold's too. Both are free
 /// of defects, and their coordinates within a quarter of the scalar's range. B's face becomes the
 /// reference only where its separation leads by more than `tie_bias` (a length, 0 in the article).
-/// Polygons that overlap by more than rounding always get a contact, and at bias 0 one of it is as
-/// deep as the overlap: a bias asks for its face even where that face's clip is shallower. In
+/// Polygons that overlap by more than the bound below always get a contact, and at bias 0 one of it
+/// is as deep as the overlap but for rounding: a bias asks for its face even where that face's clip
+/// is shallower. In
 /// float, separation and depth are off by at most 15 u times the extent (u = 2^-24), at clipped
 /// ends times 1 + tan of the angle between both edges: src/judging/bounds.md derives it, and the
 /// rest.

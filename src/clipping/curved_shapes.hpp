@@ -26,7 +26,8 @@ bool has_vertex_inside(const ConvexPolygon<Scalar>& polygon, const ConvexPolygon
   return polygon.count >= kMinVertices && std::ranges::any_of(opposing.corners(), is_inside);
 }
 
-/// Whether cores overlap by more than rounding, so that faces decide. What overlaps has its
+/// Whether cores overlap by more than rounding, so that faces decide. Where one holds a vertex of
+/// the other they do, however rounding moved the face that separates most. What overlaps has its
 /// outlines at least as near as the overlap is deep: segments on one line, end to end, do not,
 /// though no face separates them.
 template <class Scalar>

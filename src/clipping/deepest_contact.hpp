@@ -143,7 +143,7 @@ struct DeepestContact {
   Scalar overlap = 0;            ///< how deep the greatest separation says that they overlap
 };
 
-/// Of overlapping polygons whose features were chosen so that the clip kept too little: by a tie
+/// For overlapping polygons whose features were chosen so that the clip kept too little: by a tie
 /// bias, or because two faces or edges are nearer than rounding can tell, and the slab of the wrong
 /// one misses the deepest vertex. The true face's slab holds it, since the shortest way out of an
 /// overlap ends inside a face. Neither the article nor Box2D does it: both report no contact there.
@@ -177,10 +177,10 @@ DeepestContact<Scalar> find_deepest_contact(const ConvexPolygon<Scalar>& a,
 }
 
 /// Whether the face of a deepest contact is no answer to the overlap, though no other one holds its
-/// deepest vertex. Of polygons that overlap by more than the bound of a separation, b, the true one
-/// does: computed, the overlap is at least what b is rounded up by, 0.3 u E, and that face
-/// separates less than the greatest by 2 b at most, 171 times as much in double
-/// (src/judging/bounds.md).
+/// deepest vertex. Let e be the error of a computed separation, and b its bound, which is e rounded
+/// up by 0.3 u E (src/judging/bounds.md). Polygons that overlap by more than b are computed to
+/// overlap by b - e = 0.3 u E at least, and the true face, which holds the vertex, to separate less
+/// than the greatest by 2 e at most: 171 times as much in double, 98 in float.
 template <class Scalar>
 bool is_far_off(const DeepestContact<Scalar>& deepest) {
   return deepest.manifold.count > 0 && deepest.excess > 256 * deepest.overlap;
@@ -195,8 +195,9 @@ Manifold<Scalar> deepest_contact(const ConvexPolygon<Scalar>& a, const ConvexPol
 }
 
 /// The deepest contact in place of a clip that misses the deepest, unless that is worse: its face
-/// separates less, by more than the clip lacks of the depth. Where nothing was kept, and no face
-/// will do, they overlap by no more than rounding, and nothing is right.
+/// separates less, by more than the clip lacks of the depth. Where nothing was kept and its face is
+/// far off, they overlap by no more than rounding, and nothing is right; where no face holds the
+/// deepest vertex, that is taken alone.
 template <class Scalar>
 Manifold<Scalar> deepest_contact_or(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                     const Manifold<Scalar>& clipped) {

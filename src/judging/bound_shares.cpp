@@ -23,7 +23,8 @@ ManifoldError curve_shares(const exact::Truth& truth, const ColliderAnswer& give
                            curve_bounds(truth.pair(), declaration, truth.extent()));
   const exact::Along along(truth, *said.normal);
   // What little of a gap's slope is left, and roundings, may take a right answer past its bound.
-  return {.normal = std::min(answer.normal_share(along), 1.0),
+  const bool is_apart = said.depth < 0;  // across a gap any normal will do
+  return {.normal = is_apart ? 0 : std::min(answer.normal_share(along), 1.0),
           .depth = std::min(answer.depth_share(along), 1.0)};
 }
 

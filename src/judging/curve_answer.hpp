@@ -73,7 +73,7 @@ class CurveAnswer {
   /// How much of its bound the depth takes, if it is right; 0 where corners may have passed each
   /// other.
   double depth_share(const exact::Along& along) const;
-  /// How much of theirs the normal, or the depth along it, takes, if it is right.
+  /// How much of its bound the normal takes or, where its excess is judged, the depth along it.
   double normal_share(const exact::Along& along) const;
   /// Whether each of its points lies where it claims, and overlaps there by what it claims.
   bool has_witnesses(const exact::Along& along) const;

@@ -15,7 +15,7 @@ namespace {
 /// many lie on the same few slopes.
 constexpr int kDrawn = 256;
 /// A bound has the defect of rotations in it, and an error half of that at most: where a defect is
-/// large nothing else is seen. Every other climb stays where it is no more than rounding leaves.
+/// large nothing else is seen. One climb of three stays where it is no more than rounding leaves.
 constexpr double kSmallDefect = 0x1p-22;
 /// A share of moves that is of single numbers: from what is high, small steps alone lead higher.
 constexpr double kOfNumbers = 0.7;
@@ -84,12 +84,13 @@ class Climber {
     return noted(pair, shares_observed(unowned(truth), {collider_.declaration, answer}));
   }
 
-  /// The share of the summit's bound, once the highest of each bound are noted. A wrong answer that
-  /// is held against clips has no share.
+  /// The share of the summit's bound, once the highest of each bound are noted. What is no higher
+  /// is not judged: held against clips, a wrong answer has no share.
   double noted(const PairCase& pair, const Observation& seen) {
     bool is_in_doubt = seen[summit_.gauge] == 0;
     for (std::size_t k = 0; k < kGauges; ++k) {
-      is_in_doubt = is_in_doubt || seen.gauges[k] > std::min(1.0, climbed_.highest[k].share);
+      is_in_doubt =
+          is_in_doubt || seen.gauges[k] >= 1 || seen.gauges[k] > climbed_.highest[k].share;
     }
     if (!is_in_doubt) return seen[summit_.gauge];
     if (is_wrong(pair)) return 0;

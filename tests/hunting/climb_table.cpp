@@ -2,7 +2,8 @@
 //
 //   manifuzz_climbs COLLIDER polygons|round SEED CLIMBS CASES FILE.jsonl [FOUNDER.json]...
 //
-// So many climbs towards each bound, of so many cases each, a third of them from the founders. All
+// So many climbs towards each bound, of so many cases each, up to a third of them from
+// the founders. All
 // cases, of polygons with sharp corners or of round shapes, count for every bound. A line a bound:
 // its name, and the greatest share that a right answer takes. FILE.jsonl gets the case of each, and
 // the cases that were answered wrong, for `manifuzz hunt --from`. The status is 1 where there are
@@ -72,7 +73,7 @@ int table(bool are_round, const Climbs& of, const std::string& file) {
   for (const Summit& summit : summits) {
     const Height& highest = highest_of(summit, climbed);
     fmt::print("{:<24}{:>8.3f}\n", summit.name, highest.share);
-    append_case(lines, highest.pair, of.seed);
+    if (highest.share > 0) append_case(lines, highest.pair, of.seed);
   }
   int status = 0;
   for (const Climbed& one : climbed) {

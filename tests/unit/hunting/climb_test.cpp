@@ -65,7 +65,7 @@ TEST_CASE("a climb that begins with a founder is at least as high as that") {
   CHECK(climb(position, clip, founders, 8, 2, 10)[Gauge::position_share].share >= founder.share);
 }
 
-TEST_CASE("every other climb stays where rotations are unit but for rounding") {
+TEST_CASE("one climb of three stays where rotations are unit but for rounding") {
   const Collider clip = make_clip();
   const PairCase highest =
       climb(summit_named("normal", clip.declaration), clip, {}, 7, 1, 5000)[Gauge::normal_share]

@@ -1,5 +1,7 @@
 #include "judging/bound_shares.hpp"
 
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 #include "generating/regime.hpp"
