@@ -32,17 +32,18 @@ Scalar greatest_depth(const Manifold<Scalar>& manifold) {
 }
 
 /// Whether polygons overlap (`greatest` being the greatest separation) and the manifold is less
-/// deep than its own face's `separation`, both by more than rounding, that of sums with the total
-/// radius included: the face's slab misses the deepest vertex.
+/// deep than its own face's `separation`, both by more than rounding: the face's slab misses the
+/// deepest vertex. What is missing is a difference of sums with the total radius, rounded as such.
 template <class Scalar>
 bool misses_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                     const Manifold<Scalar>& manifold, Scalar separation, Scalar greatest) {
   // Without a point it is the face itself.
   const Scalar deepest = manifold.count > 0 ? greatest_depth(manifold) : a.radius + b.radius;
   const Scalar missing = a.radius + b.radius - separation - deepest;
-  const Scalar least = std::min(missing, -greatest);
+  if (std::min(missing, -greatest) <= 0) return false;
   constexpr Scalar u = std::numeric_limits<Scalar>::epsilon() / 2;
-  return least > 0 && least > separation_roundoff(a, b) + 4 * u * (a.radius + b.radius);
+  const Scalar roundoff = separation_roundoff(a, b);
+  return -greatest > roundoff && missing > roundoff + 4 * u * (a.radius + b.radius);
 }
 
 /// Whether the slab of a face, widened by `margin` (a length), holds a point of the polygon's

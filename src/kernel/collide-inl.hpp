@@ -151,14 +151,14 @@ HWY_INLINE hn::Mask<D> misses_deepest(D d, const Strip<D>& s, const LaneManifold
   const auto separation = hn::IfThenElse(found.take_b, found.of_b, found.of_a);
   const auto greatest = hn::Max(found.of_a, found.of_b);
   const auto missing = hn::Sub(hn::Sub(total_radius, separation), deepest);
-  const auto least = hn::Min(hn::Neg(greatest), missing);
-  const auto might = hn::And(among, hn::Gt(least, hn::Zero(d)));
+  const auto overlap = hn::Neg(greatest);
+  const auto might = hn::And(among, hn::Gt(hn::Min(overlap, missing), hn::Zero(d)));
   if (HWY_LIKELY(hn::AllFalse(d, might))) return might;
   constexpr T u = std::numeric_limits<T>::epsilon() / 2;
   const auto four_u = hn::Set(d, 4 * u);
-  const auto roundoff =
-      hn::Add(hn::Mul(four_u, reach_of_both(d, s)), hn::Mul(four_u, total_radius));
-  return hn::And(might, hn::Gt(least, roundoff));
+  const auto roundoff = hn::Mul(four_u, reach_of_both(d, s));
+  const auto of_sums = hn::Add(roundoff, hn::Mul(four_u, total_radius));
+  return hn::And(might, hn::And(hn::Gt(overlap, roundoff), hn::Gt(missing, of_sums)));
 }
 
 template <class D>
