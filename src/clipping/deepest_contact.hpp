@@ -33,7 +33,8 @@ Scalar greatest_depth(const Manifold<Scalar>& manifold) {
 
 /// Whether polygons overlap (`greatest` being the greatest separation) and the manifold is less
 /// deep than its own face's `separation`, both by more than rounding: the face's slab misses the
-/// deepest vertex. What is missing is a difference of sums with the total radius, rounded as such.
+/// deepest vertex. What a point misses is a difference of sums with the total radius, rounded as
+/// such.
 template <class Scalar>
 bool misses_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                     const Manifold<Scalar>& manifold, Scalar separation, Scalar greatest) {
@@ -43,7 +44,8 @@ bool misses_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>&
   if (std::min(missing, -greatest) <= 0) return false;
   constexpr Scalar u = std::numeric_limits<Scalar>::epsilon() / 2;
   const Scalar roundoff = separation_roundoff(a, b);
-  return -greatest > roundoff && missing > roundoff + 4 * u * (a.radius + b.radius);
+  const Scalar of_sums = manifold.count > 0 ? 4 * u * (a.radius + b.radius) : Scalar(0);
+  return -greatest > roundoff && missing > roundoff + of_sums;
 }
 
 /// Whether the slab of a face, widened by `margin` (a length), holds a point of the polygon's

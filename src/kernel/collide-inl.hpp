@@ -157,8 +157,9 @@ HWY_INLINE hn::Mask<D> misses_deepest(D d, const Strip<D>& s, const LaneManifold
   constexpr T u = std::numeric_limits<T>::epsilon() / 2;
   const auto four_u = hn::Set(d, 4 * u);
   const auto roundoff = hn::Mul(four_u, reach_of_both(d, s));
-  const auto of_sums = hn::Add(roundoff, hn::Mul(four_u, total_radius));
-  return hn::And(might, hn::And(hn::Gt(overlap, roundoff), hn::Gt(missing, of_sums)));
+  const auto of_sums = hn::IfThenElseZero(has(1), hn::Mul(four_u, total_radius));
+  const auto is_missing = hn::Gt(missing, hn::Add(roundoff, of_sums));
+  return hn::And(might, hn::And(hn::Gt(overlap, roundoff), is_missing));
 }
 
 template <class D>
