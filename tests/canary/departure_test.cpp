@@ -74,7 +74,6 @@ constexpr BugOfStep kBugsOfSteps[] = {
     {"relative_bias", "the reference edge"},
     {"normal_not_turned", "the reference edge"},
     {"incident_after", "the incident edge"},
-    {"incident_flipped", "the incident edge"},
     {"polygons_swapped", "the incident edge"},
     {"first_plane_not_widened", "clip 1"},
     {"clip_needs_both_outside", "clip 1"},
