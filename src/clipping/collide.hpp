@@ -96,10 +96,9 @@ template <class Scalar>
 /// reference only where its separation leads by more than `tie_bias` (a length, 0 in the article).
 /// Polygons that overlap by more than the bound below always get a contact, and at bias 0 one of it
 /// is as deep as the overlap but for rounding: a bias asks for its face even where that face's clip
-/// is shallower. In
-/// float, separation and depth are off by at most 15 u times the extent (u = 2^-24), at clipped
-/// ends times 1 + tan of the angle between both edges: src/judging/bounds.md derives it, and the
-/// rest.
+/// is shallower. In float, separation and depth are off by at most 15 u times the extent
+/// (u = 2^-24), at clipped ends times 1 + tan of the angle between both edges:
+/// src/judging/bounds.md derives it, and the rest.
 template <class Scalar>
 Manifold<Scalar> collide_in_frame(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                   Scalar tie_bias = 0, SecondPoint second_point = {}) {

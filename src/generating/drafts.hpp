@@ -194,7 +194,8 @@ void frame(Random& random, Draft& draft, double exact = 0.5);
 /// The numbers of a case that may be changed one at a time: all vertices, positions and radii.
 std::vector<float*> free_numbers(PairCase& pair);
 
-/// Which shapes of a case are known to be valid, with their normals.
+/// The shapes of a pair case that need no checking: their vertices are known to be valid, and their
+/// normals to be those of the vertices.
 struct KnownShapes {
   bool a = false;
   bool b = false;
