@@ -137,12 +137,18 @@ Manifold<Scalar> contact_of_skins(const ConvexPolygon<Scalar>& a, const ConvexPo
                                   is_of_a ? nearest.features.b : nearest.features.a});
 }
 
-/// The contact of round shapes whose cores are nearest at two vertices.
+/// The contact of round shapes whose cores are nearest at two vertices, as GJK says. Where these
+/// are not nearest, rounding took a vertex for a face's deepest that is far along it: places are
+/// looked for as clipping does.
 template <class Scalar>
 Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      const NearestFaces<Scalar>& faces,
-                                     const clipping::NearestPlaces<Scalar>& nearest,
+                                     const clipping::NearestPlaces<Scalar>& vertices,
                                      Scalar roundoff) {
+  const clipping::NearestPlaces<Scalar> nearest =
+      clipping::are_nearest(a, b, vertices)
+          ? vertices
+          : clipping::nearest_places(a, b, faces.of_a, faces.of_b, roundoff);
   const auto normal = clipping::nearest_normal(a, b, faces.of_a, faces.of_b, nearest, roundoff);
   if (!normal) return contact_at_deepest(a, b, faces, roundoff);
   return clipping::nearest_contact(a, b, nearest, *normal, roundoff, SecondPoint::never());
