@@ -188,6 +188,58 @@ std::optional<NearestPlaces<Scalar>> places_at_any_face(const ConvexPolygon<Scal
   return nearest;
 }
 
+/// Calls `visit(side, face, corner, separation)` for each corner of either core before a face of
+/// the other: whose face, its index and the corner's, and how far the corner is in front, a length.
+template <class Scalar, class Visit>
+void for_each_before_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                          const Visit& visit) {
+  for (const Side side : {Side::a, Side::b}) {
+    const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
+    const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
+    for (int i = 0; i < polygon.face_count(); ++i) {
+      for (int j = 0; j < opposing.count; ++j) {
+        const Vector2<Scalar>& corner = opposing.vertices[j];
+        if (!is_before_face(polygon, i, corner)) continue;
+        visit(side, i, j, polygon.normals[i].dot(corner - polygon.vertices[i]));
+      }
+    }
+  }
+}
+
+/// How far the line between two vertices leads along an edge of either: as far as the nearest
+/// places are from them, a length. 0 where it is normal to both.
+template <class Scalar>
+Scalar slip_along_edges(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                        const NearestPlaces<Scalar>& places) {
+  const auto slip = [](const ConvexPolygon<Scalar>& polygon, int corner,
+                       const Vector2<Scalar>& outward) {
+    return std::max(outward.dot(along_face(polygon, corner)),
+                    -outward.dot(along_face(polygon, polygon.previous(corner))));
+  };
+  return std::max({slip(a, places.features.a.index, places.apart),
+                   slip(b, places.features.b.index, -places.apart), Scalar(0)});
+}
+
+/// Where two cores are nearest that are apart, though rounding, of placing them too, may have taken
+/// a face's deepest vertex for another: the nearest vertices, or the nearest corner before a face
+/// unless it is farther away by more than these are off.
+template <class Scalar>
+NearestPlaces<Scalar> nearest_of_all(const ConvexPolygon<Scalar>& a,
+                                     const ConvexPolygon<Scalar>& b) {
+  NearestPlaces<Scalar> nearest = nearest_vertices(a, b);
+  double least = std::sqrt(squared_length(nearest.apart)) +
+                 static_cast<double>(slip_along_edges(a, b, nearest));
+  for_each_before_face(a, b, [&](Side side, int face_index, int corner, Scalar separation) {
+    const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
+    const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
+    const auto wide = static_cast<double>(separation);
+    if (wide <= 0 || wide >= least) return;
+    least = wide;
+    nearest = before_face<Scalar>(polygon, side, face_index, opposing.vertices[corner], corner);
+  });
+  return nearest;
+}
+
 /// Where two cores are nearest that do not overlap by more than `roundoff`, a length. A face with
 /// its deepest vertex in front of it is nearest to that; only those of greatest separation, A's
 /// and B's, may have it. Else two vertices are nearest.
@@ -209,26 +261,17 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
                                                : walk_nearer(a, of_b.deepest, b, of_b.face);
   if (are_nearest(a, b, places)) return places;
   const auto at_face = places_at_any_face<Scalar>(a, b, least, roundoff);
-  return at_face ? *at_face : nearest_vertices(a, b);
+  return at_face ? *at_face : nearest_of_all(a, b);
 }
 
 /// The square of how near the outlines of two cores are, whether these overlap or not.
 template <class Scalar>
 double squared_between_outlines(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
   double least = squared_length(nearest_vertices(a, b).apart);
-  const auto look = [&](const ConvexPolygon<Scalar>& polygon,
-                        const ConvexPolygon<Scalar>& opposing) {
-    for (int i = 0; i < polygon.face_count(); ++i) {
-      for (const Vector2<Scalar>& corner : opposing.corners()) {
-        if (!is_before_face(polygon, i, corner)) continue;
-        const auto separation =
-            static_cast<double>(polygon.normals[i].dot(corner - polygon.vertices[i]));
-        least = std::min(least, separation * separation);
-      }
-    }
-  };
-  look(a, b);
-  look(b, a);
+  for_each_before_face(a, b, [&](Side, int, int, Scalar separation) {
+    const auto wide = static_cast<double>(separation);
+    least = std::min(least, wide * wide);
+  });
   return least;
 }
 

@@ -80,39 +80,60 @@ Scalar past_ends(const ConvexPolygon<Scalar>& polygon, int face, const Vector2<S
                    along.dot(point - polygon.vertices[polygon.next(face)]), Scalar(0)});
 }
 
-/// The other core's deepest vertex behind a face or, where that lies past the face's ends by more
-/// than `roundoff`, of those as deep but for it the one that does so least.
+/// A place of the other core at a face, and how far it is off the deepest of an overlap, a length:
+/// how much less deep it is, and how far past the face's ends.
 template <class Scalar>
-int deepest_before_face(const ConvexPolygon<Scalar>& polygon,
-                        const clipping::FaceSeparation<Scalar>& found,
-                        const ConvexPolygon<Scalar>& other, Scalar roundoff) {
-  int deepest = found.deepest;
-  Scalar past = past_ends(polygon, found.face, other.vertices[deepest]);
-  if (past <= roundoff) return deepest;
-  for (int j = 0; j < other.count; ++j) {
+struct PlaceOff {
+  PlaceOfOther<Scalar> place;
+  Scalar off = 0;
+};
+
+/// The other core's place that is least off at a face: a vertex, or where an edge leaves the slab
+/// between the face's ends. Rounding, of placing the cores too, may take a vertex far along the
+/// face for the deepest.
+template <class Scalar>
+PlaceOff<Scalar> least_off_at_face(const ConvexPolygon<Scalar>& polygon,
+                                   const clipping::FaceSeparation<Scalar>& found,
+                                   const ConvexPolygon<Scalar>& other) {
+  const auto less_deep = [&](const Vector2<Scalar>& place) {
+    return polygon.normals[found.face].dot(place - polygon.vertices[found.face]) - found.separation;
+  };
+  const auto at_vertex = [&](int j) {
     const Vector2<Scalar>& corner = other.vertices[j];
-    const Scalar separation =
-        polygon.normals[found.face].dot(corner - polygon.vertices[found.face]);
-    if (separation > found.separation + roundoff) continue;
-    const Scalar past_here = past_ends(polygon, found.face, corner);
-    if (past_here >= past) continue;
-    past = past_here;
-    deepest = j;
+    return PlaceOff<Scalar>{{corner, clipping::face(found.face), clipping::vertex(j)},
+                            std::max(less_deep(corner), past_ends(polygon, found.face, corner))};
+  };
+  PlaceOff<Scalar> least = at_vertex(found.deepest);
+  for (int j = 0; j < other.count; ++j) {
+    const PlaceOff<Scalar> here = at_vertex(j);
+    if (here.off < least.off) least = here;
   }
-  return deepest;
+  const auto inside =
+      place_inside_face(polygon, found, other, PlaceAtFace::on_edge, found.separation + least.off);
+  if (inside && less_deep(inside->position) < least.off) {
+    least = {*inside, less_deep(inside->position)};
+  }
+  return least;
 }
 
-/// The contact at the deepest vertex of the face that separates most.
+/// The contact of overlapping cores, of which no face has a deepest place before it but for
+/// rounding, at the face and place that are least off together.
 template <class Scalar>
 Manifold<Scalar> contact_at_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                    const NearestFaces<Scalar>& faces, Scalar roundoff) {
-  const auto [side, found] = faces.greatest();
-  const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
-  const ConvexPolygon<Scalar>& other = side == Side::a ? b : a;
-  const int deepest = deepest_before_face(polygon, found, other, roundoff);
-  return contact_at_face<Scalar>(
-      a, b, side, found.face, found.separation,
-      {other.vertices[deepest], clipping::face(found.face), clipping::vertex(deepest)});
+                                    const NearestFaces<Scalar>& faces) {
+  FoundFace<Scalar> best = faces.greatest();
+  PlaceOff<Scalar> least{{}, std::numeric_limits<Scalar>::infinity()};
+  for (const FoundFace<Scalar>& face : std::span(faces.all.data(), faces.count)) {
+    const Scalar lacking = faces.separation() - face.found.separation;
+    if (lacking >= least.off) continue;
+    const ConvexPolygon<Scalar>& polygon = face.side == Side::a ? a : b;
+    const ConvexPolygon<Scalar>& other = face.side == Side::a ? b : a;
+    const PlaceOff<Scalar> here = least_off_at_face(polygon, face.found, other);
+    if (lacking + here.off >= least.off) continue;
+    least = {here.place, lacking + here.off};
+    best = face;
+  }
+  return contact_at_face(a, b, best.side, best.found.face, best.found.separation, least.place);
 }
 
 /// The contact of mitred polygons that are nearest at two vertices. Skins touch along faces alone,
@@ -150,7 +171,7 @@ Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const Conve
           ? vertices
           : clipping::nearest_places(a, b, faces.of_a, faces.of_b, roundoff);
   const auto normal = clipping::nearest_normal(a, b, faces.of_a, faces.of_b, nearest, roundoff);
-  if (!normal) return contact_at_deepest(a, b, faces, roundoff);
+  if (!normal) return contact_at_deepest(a, b, faces);
   return clipping::nearest_contact(a, b, nearest, *normal, roundoff, SecondPoint::never());
 }
 
@@ -161,7 +182,7 @@ Manifold<Scalar> contact_outside_faces(const ConvexPolygon<Scalar>& a,
                                        const NearestFeatures<Scalar>& nearest, Scalar roundoff) {
   if (clipping::is_circle(a) && clipping::is_circle(b)) return clipping::contact_of_circles(a, b);
   if (nearest.apartness == Apartness::overlapping) {
-    return contact_at_deepest(a, b, nearest.faces, roundoff);
+    return contact_at_deepest(a, b, nearest.faces);
   }
   return are_round(a, b) ? contact_of_vertices(a, b, nearest.faces, nearest.vertices, roundoff)
                          : contact_of_skins(a, b, nearest.faces, nearest.vertices);

@@ -2,11 +2,11 @@
 //
 //   manifuzz_climbs COLLIDER polygons|round SEED CLIMBS CASES FILE.jsonl [FOUNDER.json]...
 //
-// So many climbs towards each bound, of so many cases each, up to a third of them from the founders.
-// All cases, of polygons with sharp corners or of round shapes, count for every bound. A line a
-// bound: its name, and the greatest share that a right answer takes. FILE.jsonl gets the case of
-// each, and the cases that were answered wrong, for `manifuzz hunt --from`. The status is 1 where
-// there are any of these.
+// So many climbs towards each bound, of so many cases each, up to a third of them from the
+// founders. All cases, of polygons with sharp corners or of round shapes, count for every bound. A
+// line a bound: its name, and the greatest share that a right answer takes. FILE.jsonl gets the
+// case of each, and the cases that were answered wrong, for `manifuzz hunt --from`. The status is 1
+// where there are any of these.
 
 #include <algorithm>
 #include <atomic>
