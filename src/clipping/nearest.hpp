@@ -206,23 +206,29 @@ void for_each_before_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Sc
   }
 }
 
-/// How far the line between two vertices leads along an edge of either: as far as the nearest
-/// places are from them, a length. 0 where it is normal to both.
+/// How far the line between two vertices leads along an edge of either, and no farther than the
+/// edge: as far as the nearest places are from them, a length. 0 where it is normal to both.
 template <class Scalar>
 Scalar slip_along_edges(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                         const NearestPlaces<Scalar>& places) {
   const auto slip = [](const ConvexPolygon<Scalar>& polygon, int corner,
                        const Vector2<Scalar>& outward) {
-    return std::max(outward.dot(along_face(polygon, corner)),
-                    -outward.dot(along_face(polygon, polygon.previous(corner))));
+    const auto along = [&](int edge, int neighbour, Scalar sign) {
+      const Vector2<Scalar> to_neighbour = sign * along_face(polygon, edge);
+      const Vector2<Scalar> whole = polygon.vertices[neighbour] - polygon.vertices[corner];
+      return std::min(to_neighbour.dot(outward), to_neighbour.dot(whole));
+    };
+    const int previous = polygon.previous(corner);
+    return std::max(along(corner, polygon.next(corner), Scalar(1)),
+                    along(previous, previous, Scalar(-1)));
   };
   return std::max({slip(a, places.features.a.index, places.apart),
                    slip(b, places.features.b.index, -places.apart), Scalar(0)});
 }
 
-/// Where two cores are nearest that are apart, though rounding, of placing them too, may have taken
-/// a face's deepest vertex for another: the nearest vertices, or the nearest corner before a face
-/// unless it is farther away by more than these are off.
+/// Where two cores are nearest that are apart by more than rounding, though rounding, of placing
+/// them too, may have taken a face's deepest vertex for another: the nearest vertices, or the
+/// nearest corner before a face unless it is farther away by more than these are off.
 template <class Scalar>
 NearestPlaces<Scalar> nearest_of_all(const ConvexPolygon<Scalar>& a,
                                      const ConvexPolygon<Scalar>& b) {
@@ -261,7 +267,10 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
                                                : walk_nearer(a, of_b.deepest, b, of_b.face);
   if (are_nearest(a, b, places)) return places;
   const auto at_face = places_at_any_face<Scalar>(a, b, least, roundoff);
-  return at_face ? *at_face : nearest_of_all(a, b);
+  if (at_face) return *at_face;
+  // A corner that touches a face, or is inside, is before faces that do not lead out.
+  const bool are_apart = std::max(of_a.separation, of_b.separation) > roundoff;
+  return are_apart ? nearest_of_all(a, b) : nearest_vertices(a, b);
 }
 
 /// The square of how near the outlines of two cores are, whether these overlap or not.

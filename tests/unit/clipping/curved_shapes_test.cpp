@@ -162,4 +162,5 @@ TEST_CASE("two vertices are off by how far the line between them leads along an 
   CHECK(slip_to(2, 3) == 0);
   CHECK(slip_to(0.75, 3) == 0.25);
   CHECK(slip_to(3, -0.5) == 1.5);
+  CHECK(slip_to(3, -9) == 2);
 }
