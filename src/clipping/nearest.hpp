@@ -189,7 +189,8 @@ std::optional<NearestPlaces<Scalar>> places_at_any_face(const ConvexPolygon<Scal
 }
 
 /// Calls `visit(side, face, corner, separation)` for each corner of either core before a face of
-/// the other: whose face, its index and the corner's, and how far the corner is in front, a length.
+/// the other: whose face, its index and the corner's, and how far the corner is in front, a
+/// length, negative behind it.
 template <class Scalar, class Visit>
 void for_each_before_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                           const Visit& visit) {
@@ -207,7 +208,7 @@ void for_each_before_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Sc
 }
 
 /// How far the line between two vertices leads along an edge of either, and no farther than the
-/// edge: as far as the nearest places are from them, a length. 0 where it is normal to both.
+/// edge: about as far as nearer places are from them, a length. 0 where it is normal to both.
 template <class Scalar>
 Scalar slip_along_edges(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                         const NearestPlaces<Scalar>& places) {
@@ -226,9 +227,10 @@ Scalar slip_along_edges(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scal
                    slip(b, places.features.b.index, -places.apart), Scalar(0)});
 }
 
-/// Where two cores are nearest that are apart by more than rounding, though rounding, of placing
-/// them too, may have taken a face's deepest vertex for another: the nearest vertices, or the
-/// nearest corner before a face unless it is farther away by more than these are off.
+/// Where two cores are nearest that are apart by more than rounding: at the nearest vertices, or
+/// at the nearest corner before a face unless it is farther away by more than these are off. No
+/// face is asked for its deepest vertex, since rounding, of placing the cores too, may take
+/// another for it.
 template <class Scalar>
 NearestPlaces<Scalar> nearest_of_all(const ConvexPolygon<Scalar>& a,
                                      const ConvexPolygon<Scalar>& b) {
@@ -248,7 +250,8 @@ NearestPlaces<Scalar> nearest_of_all(const ConvexPolygon<Scalar>& a,
 
 /// Where two cores are nearest that do not overlap by more than `roundoff`, a length. A face with
 /// its deepest vertex in front of it is nearest to that; only those of greatest separation, A's
-/// and B's, may have it. Else two vertices are nearest.
+/// and B's, may have it. Else two vertices are nearest. Where rounding hides which, all faces and
+/// vertices are looked at.
 template <class Scalar>
 NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      const FaceSeparation<Scalar>& of_a,
@@ -268,7 +271,7 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
   if (are_nearest(a, b, places)) return places;
   const auto at_face = places_at_any_face<Scalar>(a, b, least, roundoff);
   if (at_face) return *at_face;
-  // A corner that touches a face, or is inside, is before faces that do not lead out.
+  // A corner on the other core's outline, or inside, is before faces of its far side as well.
   const bool are_apart = std::max(of_a.separation, of_b.separation) > roundoff;
   return are_apart ? nearest_of_all(a, b) : nearest_vertices(a, b);
 }

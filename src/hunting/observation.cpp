@@ -33,9 +33,9 @@ double share_of_figures(const Observation& observed) {
   return std::max(observed[Gauge::position_share], observed[Gauge::depth_share]);
 }
 
-/// The share that leads where no measure is named. A normal's counts in answers held against clips,
-/// which alone have a position's: climbing that of round shapes, hunts met rare bugs of these
-/// later.
+/// The share that leads while no answer is wrong. A normal's counts in answers held against clips,
+/// which a position's share tells: when it led in answers judged by the curve, hunts took longer
+/// to meet rare bugs of round shapes.
 double leading_share(const Observation& observed) {
   const double share = share_of_figures(observed);
   return observed[Gauge::position_share] > 0 ? std::max(share, observed[Gauge::normal_share])

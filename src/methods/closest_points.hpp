@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -81,11 +82,11 @@ Scalar past_ends(const ConvexPolygon<Scalar>& polygon, int face, const Vector2<S
 }
 
 /// A place of the other core at a face, and how far it is off the deepest of an overlap, a length:
-/// how much less deep it is, and how far past the face's ends.
+/// by how much it is less deep, or past the face's ends, whichever is more.
 template <class Scalar>
 struct PlaceOff {
-  PlaceOfOther<Scalar> place;
-  Scalar off = 0;
+  PlaceOfOther<Scalar> place;  ///< of the other core
+  Scalar off = 0;              ///< >= 0, but for rounding
 };
 
 /// The other core's place that is least off at a face: a vertex, or where an edge leaves the slab
@@ -116,8 +117,8 @@ PlaceOff<Scalar> least_off_at_face(const ConvexPolygon<Scalar>& polygon,
   return least;
 }
 
-/// The contact of overlapping cores, of which no face has a deepest place before it but for
-/// rounding, at the face and place that are least off together.
+/// The contact of cores that overlap, or nearly touch, where no place is the deepest before a face
+/// but for rounding: at the face and place that are least off together.
 template <class Scalar>
 Manifold<Scalar> contact_at_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                     const NearestFaces<Scalar>& faces) {
@@ -158,9 +159,9 @@ Manifold<Scalar> contact_of_skins(const ConvexPolygon<Scalar>& a, const ConvexPo
                                   is_of_a ? nearest.features.b : nearest.features.a});
 }
 
-/// The contact of round shapes whose cores are nearest at two vertices, as GJK says. Where these
-/// are not nearest, rounding took a vertex for a face's deepest that is far along it: places are
-/// looked for as clipping does.
+/// The contact of round shapes for which GJK has found two vertices. Where the line between them
+/// is not normal to both, rounding took a vertex far along a face for its deepest, and the nearest
+/// places are looked for as clipping does.
 template <class Scalar>
 Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      const NearestFaces<Scalar>& faces,
