@@ -53,7 +53,8 @@ TEST_CASE("a hunt fills more cells, and finds worse, than as many drawn cases") 
   CHECK(hunt.cells > *hunt.cells_drawn);
   for (const WorstFound& found : hunt.worst) {
     CAPTURE(name_of(found.gauge, kGaugeNames));
-    // Drawing and hunting both come to half of a normal's bound within a few thousand cases.
+    // In float some normal is off by half of its bound within a few thousand cases, drawn or
+    // hunted.
     const double least = found.gauge == Gauge::normal_share ? 0.99 : 1;
     CHECK(found.value >= least * *found.drawn);
     CHECK(found.value < 1);  // the clip is right, within its bounds
