@@ -1,5 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
 #include "clipping/clip.hpp"
 #include "clipping/separation.hpp"
 
@@ -82,58 +87,97 @@ bool is_deepest_in_slab(const ConvexPolygon<Scalar>& polygon, const FaceSeparati
          slab_holds(polygon, found.face, point, margin + roundoff);
 }
 
-/// The manifold of a face whose slab holds the deepest of the overlap; empty where it does not. The
-/// incident edge is the most opposed one of those that rounding cannot tell apart and whose clip is
-/// as deep as the face's separation; failing that, an end of such an edge alone that is as deep and
-/// lies in the slab, or the deepest clip where the end is outside the slab by rounding only. An
-/// end, since of a shape that is thinner than rounding any vertex may be called the deepest.
+/// What is behind a face whose slab holds the deepest of the overlap.
 template <class Scalar>
-Manifold<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                                     Side side, const FaceSeparation<Scalar>& found,
-                                     Scalar roundoff) {
-  const ConvexPolygon<Scalar>& reference = side == Side::a ? a : b;
-  const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
-  const Vector2<Scalar>& normal = reference.normals[found.face];
-  const Scalar total_radius = a.radius + b.radius;
-  const Scalar depth = total_radius - found.separation - roundoff;
+struct BehindFace {
+  Manifold<Scalar> manifold;    ///< empty where the slab does not hold it
+  bool is_by_rounding = false;  ///< whether it is as deep, or in the slab, but for rounding alone
+};
+
+/// The incident edges of a face that rounding cannot tell from the most opposed one: calls
+/// `visit(edge, dot)` for each, with the dot of both normals.
+template <class Scalar, class Visit>
+void for_each_incident_edge(const ConvexPolygon<Scalar>& opposing, const Vector2<Scalar>& normal,
+                            const Visit& visit) {
   constexpr Scalar dot_roundoff =
       2 * std::numeric_limits<Scalar>::epsilon();  // less than half of 9 u
   const Scalar least = normal.dot(opposing.normals[incident_edge(opposing, normal)]);
-  Manifold<Scalar> deep_clip;
-  Scalar dot_of_deep_clip = std::numeric_limits<Scalar>::infinity();
-  Manifold<Scalar> deepest_clip;
-  Scalar depth_of_clip = 0;
-  FaceSeparation<Scalar> lone = found;
-  bool has_lone = false;
   for (int j = 0; j < opposing.count; ++j) {
     const Scalar dot = normal.dot(opposing.normals[j]);
-    if (dot > least + dot_roundoff) continue;
-    const Manifold<Scalar> clipped = clip_features<Scalar>(a, b, {side, found.face, j});
-    const Scalar depth_of_this = clipped.count > 0 ? greatest_depth(clipped) : Scalar(0);
-    if (clipped.count > 0 && depth_of_this >= depth && dot < dot_of_deep_clip) {
-      deep_clip = clipped;
-      dot_of_deep_clip = dot;
-    }
-    if (clipped.count > 0 && depth_of_this >= depth_of_clip) {
-      depth_of_clip = depth_of_this;
-      deepest_clip = clipped;
-    }
-    for (const int end : {j, opposing.next(j)}) {
-      if (has_lone && end != found.deepest) continue;
-      if (!is_deepest_in_slab(reference, found, opposing.vertices[end], slab_margin(a, b),
-                              roundoff)) {
-        continue;
-      }
-      lone.deepest = end;
-      has_lone = true;
-    }
+    if (dot <= least + dot_roundoff) visit(j, dot);
   }
-  if (deep_clip.count > 0) return deep_clip;
-  if (!has_lone) return {};
-  const bool clipped_off =
-      deepest_clip.count > 0 &&
-      !slab_holds(reference, found.face, opposing.vertices[lone.deepest], slab_margin(a, b));
-  return clipped_off ? deepest_clip : lone_vertex(reference, side, lone, opposing);
+}
+
+/// The clips of a face's incident edges that rounding cannot tell apart.
+template <class Scalar>
+struct ClipsBehindFace {
+  Manifold<Scalar> most_opposed;  ///< of those as deep as asked for; empty where none is
+  Manifold<Scalar> deepest;       ///< the last of equals; empty where none keeps anything
+};
+
+/// `depth` is how deep the most opposed one has to be, a length.
+template <class Scalar>
+ClipsBehindFace<Scalar> clips_behind_face(const ConvexPolygon<Scalar>& a,
+                                          const ConvexPolygon<Scalar>& b, Side side, int face_index,
+                                          Scalar depth) {
+  const ConvexPolygon<Scalar>& reference = side == Side::a ? a : b;
+  const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
+  ClipsBehindFace<Scalar> clips;
+  Scalar least_dot = std::numeric_limits<Scalar>::infinity();
+  for_each_incident_edge(opposing, reference.normals[face_index], [&](int edge, Scalar dot) {
+    const Manifold<Scalar> clipped = clip_features<Scalar>(a, b, {side, face_index, edge});
+    if (clipped.count == 0) return;
+    const Scalar depth_of_this = greatest_depth(clipped);
+    if (depth_of_this >= depth && dot < least_dot) {
+      clips.most_opposed = clipped;
+      least_dot = dot;
+    }
+    const bool is_first = clips.deepest.count == 0;
+    if (is_first || depth_of_this >= greatest_depth(clips.deepest)) clips.deepest = clipped;
+  });
+  return clips;
+}
+
+/// An end of an incident edge that is as deep as the deepest vertex and lies in the face's slab,
+/// both but for `roundoff`; the deepest vertex itself where it is one. An end, since of a shape
+/// that is thinner than rounding any vertex may be called the deepest.
+template <class Scalar>
+std::optional<int> deepest_end(const ConvexPolygon<Scalar>& reference,
+                               const FaceSeparation<Scalar>& found,
+                               const ConvexPolygon<Scalar>& opposing, Scalar margin,
+                               Scalar roundoff) {
+  std::optional<int> deepest;
+  for_each_incident_edge(opposing, reference.normals[found.face], [&](int edge, Scalar) {
+    for (const int end : {edge, opposing.next(edge)}) {
+      if (deepest && end != found.deepest) continue;
+      const Vector2<Scalar>& corner = opposing.vertices[end];
+      if (is_deepest_in_slab(reference, found, corner, margin, roundoff)) deepest = end;
+    }
+  });
+  return deepest;
+}
+
+/// The incident edge is the most opposed one of those that rounding cannot tell apart and whose
+/// clip is as deep as the face's separation; failing that, an end of such an edge alone that is as
+/// deep and lies in the slab, or the deepest clip where the end is outside the slab by rounding
+/// only.
+template <class Scalar>
+BehindFace<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a,
+                                       const ConvexPolygon<Scalar>& b, Side side,
+                                       const FaceSeparation<Scalar>& found, Scalar roundoff) {
+  const ConvexPolygon<Scalar>& reference = side == Side::a ? a : b;
+  const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
+  const Scalar margin = slab_margin(a, b);
+  const Scalar depth = a.radius + b.radius - found.separation - roundoff;
+  const ClipsBehindFace<Scalar> clips = clips_behind_face(a, b, side, found.face, depth);
+  if (clips.most_opposed.count > 0) return {clips.most_opposed, false};
+  const auto end = deepest_end(reference, found, opposing, margin, roundoff);
+  if (!end) return {};
+  const bool is_clipped_off = clips.deepest.count > 0 &&
+                              !slab_holds(reference, found.face, opposing.vertices[*end], margin);
+  if (is_clipped_off) return {clips.deepest, true};
+  const FaceSeparation<Scalar> at_end{found.face, found.separation, *end};
+  return {lone_vertex(reference, side, at_end, opposing), true};
 }
 
 /// The contact of an overlap that is as deep as the overlap, by the face of greatest separation
@@ -156,25 +200,24 @@ DeepestContact<Scalar> find_deepest_contact(const ConvexPolygon<Scalar>& a,
   constexpr Scalar none = -std::numeric_limits<Scalar>::infinity();
   const Scalar roundoff = separation_roundoff(a, b);
   DeepestContact<Scalar> deepest;
-  Scalar greatest = none;
+  Scalar greatest = none;  // of the chosen face, less what its contact may be off by
+  Scalar separation_of_chosen = none;
   Scalar greatest_of_all = none;
-  for (const Side side : {Side::a, Side::b}) {
-    const ConvexPolygon<Scalar>& reference = side == Side::a ? a : b;
-    const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
-    for (int i = 0; i < reference.face_count(); ++i) {
-      const FaceSeparation<Scalar> found = face_separation(reference, i, opposing);
-      if (found.separation > greatest_of_all) {
-        greatest_of_all = found.separation;
-        deepest.lone_vertex = lone_vertex(reference, side, found, opposing);
-      }
-      if (found.separation <= greatest) continue;
-      const Manifold<Scalar> behind = contact_behind_face(a, b, side, found, roundoff);
-      if (behind.count == 0) continue;
-      greatest = found.separation;
-      deepest.manifold = behind;
+  for_each_face(a, b, [&](Side side, const auto& reference, int face_index, const auto& opposing) {
+    const FaceSeparation<Scalar> found = face_separation(reference, face_index, opposing);
+    if (found.separation > greatest_of_all) {
+      greatest_of_all = found.separation;
+      deepest.lone_vertex = lone_vertex(reference, side, found, opposing);
     }
-  }
-  deepest.excess = greatest_of_all - greatest;
+    if (found.separation <= greatest) return;
+    const BehindFace<Scalar> behind = contact_behind_face(a, b, side, found, roundoff);
+    const Scalar certain = found.separation - (behind.is_by_rounding ? roundoff : Scalar(0));
+    if (behind.manifold.count == 0 || certain <= greatest) return;
+    greatest = certain;
+    separation_of_chosen = found.separation;
+    deepest.manifold = behind.manifold;
+  });
+  deepest.excess = greatest_of_all - separation_of_chosen;
   deepest.overlap = -greatest_of_all;
   return deepest;
 }

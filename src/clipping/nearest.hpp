@@ -173,38 +173,30 @@ std::optional<NearestPlaces<Scalar>> places_at_any_face(const ConvexPolygon<Scal
                                                         const ConvexPolygon<Scalar>& b,
                                                         Scalar least, Scalar roundoff) {
   std::optional<NearestPlaces<Scalar>> nearest;
-  for (const Side side : {Side::a, Side::b}) {
-    const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
-    const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
-    for (int i = 0; i < polygon.face_count(); ++i) {
-      const FaceSeparation<Scalar> found = face_separation(polygon, i, opposing);
-      if (least > found.separation) continue;
-      const auto places = places_at_face(polygon, side, found, opposing, roundoff);
-      if (!places) continue;
-      least = found.separation;
-      nearest = places;
-    }
-  }
+  for_each_face(a, b, [&](Side side, const auto& polygon, int face_index, const auto& opposing) {
+    const FaceSeparation<Scalar> found = face_separation(polygon, face_index, opposing);
+    if (least > found.separation) return;
+    const auto places = places_at_face(polygon, side, found, opposing, roundoff);
+    if (!places) return;
+    least = found.separation;
+    nearest = places;
+  });
   return nearest;
 }
 
-/// Calls `visit(side, face, corner, separation)` for each corner of either core before a face of
-/// the other: whose face, its index and the corner's, and how far the corner is in front, a
-/// length, negative behind it.
+/// Calls `visit(places, separation)` for each corner of either core before a face of the other:
+/// the foot there and the corner, and how far the corner is in front, a length, negative behind it.
 template <class Scalar, class Visit>
 void for_each_before_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                           const Visit& visit) {
-  for (const Side side : {Side::a, Side::b}) {
-    const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
-    const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
-    for (int i = 0; i < polygon.face_count(); ++i) {
-      for (int j = 0; j < opposing.count; ++j) {
-        const Vector2<Scalar>& corner = opposing.vertices[j];
-        if (!is_before_face(polygon, i, corner)) continue;
-        visit(side, i, j, polygon.normals[i].dot(corner - polygon.vertices[i]));
-      }
+  for_each_face(a, b, [&](Side side, const auto& polygon, int face_index, const auto& opposing) {
+    for (int j = 0; j < opposing.count; ++j) {
+      const Vector2<Scalar>& corner = opposing.vertices[j];
+      if (!is_before_face(polygon, face_index, corner)) continue;
+      visit(before_face<Scalar>(polygon, side, face_index, corner, j),
+            polygon.normals[face_index].dot(corner - polygon.vertices[face_index]));
     }
-  }
+  });
 }
 
 /// How far the line between two vertices leads along an edge of either, and no farther than the
@@ -237,15 +229,25 @@ NearestPlaces<Scalar> nearest_of_all(const ConvexPolygon<Scalar>& a,
   NearestPlaces<Scalar> nearest = nearest_vertices(a, b);
   double least = std::sqrt(squared_length(nearest.apart)) +
                  static_cast<double>(slip_along_edges(a, b, nearest));
-  for_each_before_face(a, b, [&](Side side, int face_index, int corner, Scalar separation) {
-    const ConvexPolygon<Scalar>& polygon = side == Side::a ? a : b;
-    const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
+  for_each_before_face(a, b, [&](const NearestPlaces<Scalar>& places, Scalar separation) {
     const auto wide = static_cast<double>(separation);
     if (wide <= 0 || wide >= least) return;
     least = wide;
-    nearest = before_face<Scalar>(polygon, side, face_index, opposing.vertices[corner], corner);
+    nearest = places;
   });
   return nearest;
+}
+
+/// How far placing a polygon moved its vertices off its faces, which turn without rounding alike: a
+/// length, the most by which a face's far end is off its line.
+template <class Scalar>
+Scalar misfit_of_faces(const ConvexPolygon<Scalar>& placed) {
+  Scalar most = 0;
+  for (int i = 0; i < placed.face_count(); ++i) {
+    const Vector2<Scalar> whole = placed.vertices[placed.next(i)] - placed.vertices[i];
+    most = std::max(most, std::abs(placed.normals[i].dot(whole)));
+  }
+  return most;
 }
 
 /// Where two cores are nearest that do not overlap by more than `roundoff`, a length. A face with
@@ -269,7 +271,8 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
   const NearestPlaces<Scalar> places = a_first ? walk_nearer(a, of_a.face, b, of_a.deepest)
                                                : walk_nearer(a, of_b.deepest, b, of_b.face);
   if (are_nearest(a, b, places)) return places;
-  const auto at_face = places_at_any_face<Scalar>(a, b, least, roundoff);
+  const Scalar misfit = misfit_of_faces(a) + misfit_of_faces(b);
+  const auto at_face = places_at_any_face<Scalar>(a, b, least - misfit, roundoff);
   if (at_face) return *at_face;
   // A corner on the other core's outline, or inside, is before faces of its far side as well.
   const bool are_apart = std::max(of_a.separation, of_b.separation) > roundoff;
@@ -280,7 +283,7 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
 template <class Scalar>
 double squared_between_outlines(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
   double least = squared_length(nearest_vertices(a, b).apart);
-  for_each_before_face(a, b, [&](Side, int, int, Scalar separation) {
+  for_each_before_face(a, b, [&](const NearestPlaces<Scalar>&, Scalar separation) {
     const auto wide = static_cast<double>(separation);
     least = std::min(least, wide * wide);
   });

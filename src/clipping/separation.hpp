@@ -33,6 +33,15 @@ FaceSeparation<Scalar> face_separation(const ConvexPolygon<Scalar>& polygon, int
   return result;
 }
 
+/// Calls `visit(side, polygon, face, opposing)` for each face of A, then of B: whose it is, that
+/// polygon, the face's index, and the other polygon.
+template <class Scalar, class Visit>
+void for_each_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                   const Visit& visit) {
+  for (int i = 0; i < a.face_count(); ++i) visit(Side::a, a, i, b);
+  for (int i = 0; i < b.face_count(); ++i) visit(Side::b, b, i, a);
+}
+
 /// The face of greatest separation, the first of equals. Stops at the first face that separates by
 /// more than `limit`, a length, which need not be the greatest. (The article's separating axes,
 /// faces only; Box2D: b2FindMaxSeparation.)

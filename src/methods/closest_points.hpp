@@ -111,10 +111,9 @@ PlaceOff<Scalar> least_off_at_face(const ConvexPolygon<Scalar>& polygon,
   }
   const auto inside =
       place_inside_face(polygon, found, other, PlaceAtFace::on_edge, found.separation + least.off);
-  if (inside && less_deep(inside->position) < least.off) {
-    least = {*inside, less_deep(inside->position)};
-  }
-  return least;
+  if (!inside) return least;
+  const Scalar off_inside = less_deep(inside->position);
+  return off_inside < least.off ? PlaceOff<Scalar>{*inside, off_inside} : least;
 }
 
 /// The contact of cores that overlap, or nearly touch, where no place is the deepest before a face
@@ -122,16 +121,18 @@ PlaceOff<Scalar> least_off_at_face(const ConvexPolygon<Scalar>& polygon,
 template <class Scalar>
 Manifold<Scalar> contact_at_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                     const NearestFaces<Scalar>& faces) {
+  const auto off_at = [&](const FoundFace<Scalar>& face) {
+    const bool is_of_a = face.side == Side::a;
+    PlaceOff<Scalar> here = least_off_at_face(is_of_a ? a : b, face.found, is_of_a ? b : a);
+    here.off += faces.separation() - face.found.separation;
+    return here;
+  };
   FoundFace<Scalar> best = faces.greatest();
-  PlaceOff<Scalar> least{{}, std::numeric_limits<Scalar>::infinity()};
+  PlaceOff<Scalar> least = off_at(best);
   for (const FoundFace<Scalar>& face : std::span(faces.all.data(), faces.count)) {
-    const Scalar lacking = faces.separation() - face.found.separation;
-    if (lacking >= least.off) continue;
-    const ConvexPolygon<Scalar>& polygon = face.side == Side::a ? a : b;
-    const ConvexPolygon<Scalar>& other = face.side == Side::a ? b : a;
-    const PlaceOff<Scalar> here = least_off_at_face(polygon, face.found, other);
-    if (lacking + here.off >= least.off) continue;
-    least = {here.place, lacking + here.off};
+    const PlaceOff<Scalar> here = off_at(face);
+    if (here.off >= least.off) continue;
+    least = here;
     best = face;
   }
   return contact_at_face(a, b, best.side, best.found.face, best.found.separation, least.place);
@@ -159,6 +160,15 @@ Manifold<Scalar> contact_of_skins(const ConvexPolygon<Scalar>& a, const ConvexPo
                                   is_of_a ? nearest.features.b : nearest.features.a});
 }
 
+/// The greatest separation of all faces, not only of those that GJK has found; minus infinity of a
+/// point.
+template <class Scalar>
+clipping::FaceSeparation<Scalar> separation_of_all(const ConvexPolygon<Scalar>& polygon,
+                                                   const ConvexPolygon<Scalar>& other) {
+  if (polygon.face_count() == 0) return {};
+  return clipping::greatest_separation(polygon, other, std::numeric_limits<Scalar>::infinity());
+}
+
 /// The contact of round shapes for which GJK has found two vertices. Where the line between them
 /// is not normal to both, rounding took a vertex far along a face for its deepest, and the nearest
 /// places are looked for as clipping does.
@@ -167,11 +177,15 @@ Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const Conve
                                      const NearestFaces<Scalar>& faces,
                                      const clipping::NearestPlaces<Scalar>& vertices,
                                      Scalar roundoff) {
-  const clipping::NearestPlaces<Scalar> nearest =
-      clipping::are_nearest(a, b, vertices)
-          ? vertices
-          : clipping::nearest_places(a, b, faces.of_a, faces.of_b, roundoff);
-  const auto normal = clipping::nearest_normal(a, b, faces.of_a, faces.of_b, nearest, roundoff);
+  clipping::FaceSeparation<Scalar> of_a = faces.of_a;
+  clipping::FaceSeparation<Scalar> of_b = faces.of_b;
+  clipping::NearestPlaces<Scalar> nearest = vertices;
+  if (!clipping::are_nearest(a, b, vertices)) {
+    of_a = separation_of_all(a, b);
+    of_b = separation_of_all(b, a);
+    nearest = clipping::nearest_places(a, b, of_a, of_b, roundoff);
+  }
+  const auto normal = clipping::nearest_normal(a, b, of_a, of_b, nearest, roundoff);
   if (!normal) return contact_at_deepest(a, b, faces);
   return clipping::nearest_contact(a, b, nearest, *normal, roundoff, SecondPoint::never());
 }
@@ -185,8 +199,12 @@ Manifold<Scalar> contact_outside_faces(const ConvexPolygon<Scalar>& a,
   if (nearest.apartness == Apartness::overlapping) {
     return contact_at_deepest(a, b, nearest.faces);
   }
-  return are_round(a, b) ? contact_of_vertices(a, b, nearest.faces, nearest.vertices, roundoff)
-                         : contact_of_skins(a, b, nearest.faces, nearest.vertices);
+  if (are_round(a, b)) {
+    return contact_of_vertices(a, b, nearest.faces, nearest.vertices, roundoff);
+  }
+  return clipping::are_nearest(a, b, nearest.vertices)
+             ? contact_of_skins(a, b, nearest.faces, nearest.vertices)
+             : contact_at_deepest(a, b, nearest.faces);
 }
 
 /// The contact of two shapes that stand in one frame, by the closest points of their cores: the

@@ -164,3 +164,27 @@ TEST_CASE("two vertices are off by how far the line between them leads along an 
   CHECK(slip_to(3, -0.5) == 1.5);
   CHECK(slip_to(3, -9) == 2);
 }
+
+TEST_CASE("a vertex off the line of a face is a misfit, along it is none") {
+  auto box = make_polygon<double>(kBox);
+  CHECK(clipping::misfit_of_faces(box) == 0);
+  box.vertices[1].x() += 0.5;
+  box.vertices[2].x() += 0.5;
+  CHECK(clipping::misfit_of_faces(box) == 0);
+  box.vertices[1].y() -= 0.25;
+  CHECK(clipping::misfit_of_faces(box) == 0.25);
+  CHECK(clipping::misfit_of_faces(make_polygon<double>(Core{{3, 4}})) == 0);
+}
+
+TEST_CASE("a face that placing has turned off its vertices is nearest, not a vertex far away") {
+  // B's vertices were rounded to 64 after its normals were turned, so no face is on its line.
+  auto a =
+      make_polygon<float>(std::vector<Vector2<float>>{{0, 0}, {0, 2e-8F}}, 2e-6F, Rounding::round);
+  auto b = make_polygon<float>(std::vector<Vector2<float>>{{64, 4492630}, {0, -3507370.25F}},
+                               2.3e6F, Rounding::round);
+  b.normals[0] = {-1, 1.4844725e-5F};
+  b.normals[1] = -b.normals[0];
+  const auto manifold = clipping::collide_in_frame(a, b);
+  REQUIRE(manifold.count >= 1);
+  CHECK(manifold.normal == b.normals[1]);
+}
