@@ -39,10 +39,12 @@ Scalar greatest_depth(const Manifold<Scalar>& manifold) {
 /// Whether polygons overlap (`greatest` being the greatest separation) and the manifold is less
 /// deep than its own face's `separation`, both by more than rounding: the face's slab misses the
 /// deepest vertex. What a point misses is a difference of sums with the total radius, rounded as
-/// such.
+/// such. Inlined: as a function of its own it costs polygons 2%.
 template <class Scalar>
-bool misses_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                    const Manifold<Scalar>& manifold, Scalar separation, Scalar greatest) {
+[[gnu::always_inline]] inline bool misses_deepest(const ConvexPolygon<Scalar>& a,
+                                                  const ConvexPolygon<Scalar>& b,
+                                                  const Manifold<Scalar>& manifold,
+                                                  Scalar separation, Scalar greatest) {
   // Without a point it is the face itself.
   const Scalar deepest = manifold.count > 0 ? greatest_depth(manifold) : a.radius + b.radius;
   const Scalar missing = a.radius + b.radius - separation - deepest;
