@@ -33,13 +33,17 @@ double share_of_figures(const Observation& observed) {
   return std::max(observed[Gauge::position_share], observed[Gauge::depth_share]);
 }
 
+/// The greatest share of all three bounds.
+double greatest_share(const Observation& observed) {
+  return std::max(share_of_figures(observed), observed[Gauge::normal_share]);
+}
+
 /// The share that leads while no answer is wrong. A normal's counts in answers held against clips,
 /// which a position's share tells: when it led in answers judged by the curve, hunts took longer
 /// to meet rare bugs of round shapes.
 double leading_share(const Observation& observed) {
-  const double share = share_of_figures(observed);
-  return observed[Gauge::position_share] > 0 ? std::max(share, observed[Gauge::normal_share])
-                                             : share;
+  const bool is_held_against_clips = observed[Gauge::position_share] > 0;
+  return is_held_against_clips ? greatest_share(observed) : share_of_figures(observed);
 }
 
 }  // namespace
@@ -94,9 +98,7 @@ Observation shares_observed(const std::shared_ptr<const exact::Truth>& truth,
 double value_of(const Observation& observed, const std::optional<Measure>& measure) {
   const double missed = observed[Gauge::missed];
   const double error = observed[Gauge::error];
-  if (measure == Measure::bound_share) {
-    return std::max(share_of_figures(observed), observed[Gauge::normal_share]);
-  }
+  if (measure == Measure::bound_share) return greatest_share(observed);
   if (measure == Measure::missed) return missed > 0 ? 1 + missed : observed.nearness;
   return error > 0 ? 1 + error : leading_share(observed);
 }
