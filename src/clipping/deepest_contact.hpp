@@ -92,15 +92,15 @@ bool is_deepest_in_slab(const ConvexPolygon<Scalar>& polygon, const FaceSeparati
 /// What is behind a face whose slab holds the deepest of the overlap.
 template <class Scalar>
 struct BehindFace {
-  Manifold<Scalar> manifold;    ///< empty where the slab does not hold it
-  bool is_by_rounding = false;  ///< whether it is as deep, or in the slab, but for rounding alone
+  Manifold<Scalar> manifold;  ///< empty where the slab does not hold it
+  bool is_deep_clip = false;  ///< whether it is a clip as deep; else what rounding left of one
 };
 
-/// The incident edges of a face that rounding cannot tell from the most opposed one: calls
-/// `visit(edge, dot)` for each, with the dot of both normals.
+/// Calls `visit(edge, dot)` for each edge that may be incident to a face of this normal: the most
+/// opposed one, and those that rounding cannot tell from it; with the dot of both normals.
 template <class Scalar, class Visit>
-void for_each_incident_edge(const ConvexPolygon<Scalar>& opposing, const Vector2<Scalar>& normal,
-                            const Visit& visit) {
+void for_each_opposed_edge(const ConvexPolygon<Scalar>& opposing, const Vector2<Scalar>& normal,
+                           const Visit& visit) {
   constexpr Scalar dot_roundoff =
       2 * std::numeric_limits<Scalar>::epsilon();  // less than half of 9 u
   const Scalar least = normal.dot(opposing.normals[incident_edge(opposing, normal)]);
@@ -117,7 +117,7 @@ struct ClipsBehindFace {
   Manifold<Scalar> deepest;       ///< the last of equals; empty where none keeps anything
 };
 
-/// `depth` is how deep the most opposed one has to be, a length.
+/// The clips behind a face, the most opposed one of those that are as deep as `depth`, a length.
 template <class Scalar>
 ClipsBehindFace<Scalar> clips_behind_face(const ConvexPolygon<Scalar>& a,
                                           const ConvexPolygon<Scalar>& b, Side side, int face_index,
@@ -126,7 +126,7 @@ ClipsBehindFace<Scalar> clips_behind_face(const ConvexPolygon<Scalar>& a,
   const ConvexPolygon<Scalar>& opposing = side == Side::a ? b : a;
   ClipsBehindFace<Scalar> clips;
   Scalar least_dot = std::numeric_limits<Scalar>::infinity();
-  for_each_incident_edge(opposing, reference.normals[face_index], [&](int edge, Scalar dot) {
+  for_each_opposed_edge(opposing, reference.normals[face_index], [&](int edge, Scalar dot) {
     const Manifold<Scalar> clipped = clip_features<Scalar>(a, b, {side, face_index, edge});
     if (clipped.count == 0) return;
     const Scalar depth_of_this = greatest_depth(clipped);
@@ -149,7 +149,7 @@ std::optional<int> deepest_end(const ConvexPolygon<Scalar>& reference,
                                const ConvexPolygon<Scalar>& opposing, Scalar margin,
                                Scalar roundoff) {
   std::optional<int> deepest;
-  for_each_incident_edge(opposing, reference.normals[found.face], [&](int edge, Scalar) {
+  for_each_opposed_edge(opposing, reference.normals[found.face], [&](int edge, Scalar) {
     for (const int end : {edge, opposing.next(edge)}) {
       if (deepest && end != found.deepest) continue;
       const Vector2<Scalar>& corner = opposing.vertices[end];
@@ -159,10 +159,10 @@ std::optional<int> deepest_end(const ConvexPolygon<Scalar>& reference,
   return deepest;
 }
 
-/// The incident edge is the most opposed one of those that rounding cannot tell apart and whose
-/// clip is as deep as the face's separation; failing that, an end of such an edge alone that is as
-/// deep and lies in the slab, or the deepest clip where the end is outside the slab by rounding
-/// only.
+/// The clip behind a face whose slab holds the deepest of the overlap, of the most opposed edge of
+/// those that rounding cannot tell apart and whose clip is as deep as the face's separation;
+/// failing that, an end of such an edge alone that is as deep and lies in the slab, or the deepest
+/// clip where the end is outside the slab by rounding only.
 template <class Scalar>
 BehindFace<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a,
                                        const ConvexPolygon<Scalar>& b, Side side,
@@ -172,14 +172,14 @@ BehindFace<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a,
   const Scalar margin = slab_margin(a, b);
   const Scalar depth = a.radius + b.radius - found.separation - roundoff;
   const ClipsBehindFace<Scalar> clips = clips_behind_face(a, b, side, found.face, depth);
-  if (clips.most_opposed.count > 0) return {clips.most_opposed, false};
+  if (clips.most_opposed.count > 0) return {clips.most_opposed, true};
   const auto end = deepest_end(reference, found, opposing, margin, roundoff);
   if (!end) return {};
   const bool is_clipped_off = clips.deepest.count > 0 &&
                               !slab_holds(reference, found.face, opposing.vertices[*end], margin);
-  if (is_clipped_off) return {clips.deepest, true};
+  if (is_clipped_off) return {clips.deepest, false};
   const FaceSeparation<Scalar> at_end{found.face, found.separation, *end};
-  return {lone_vertex(reference, side, at_end, opposing), true};
+  return {lone_vertex(reference, side, at_end, opposing), false};
 }
 
 /// The contact of an overlap that is as deep as the overlap, by the face of greatest separation
@@ -187,7 +187,7 @@ BehindFace<Scalar> contact_behind_face(const ConvexPolygon<Scalar>& a,
 template <class Scalar>
 struct DeepestContact {
   Manifold<Scalar> manifold;     ///< empty where no slab holds a deepest vertex
-  Scalar excess = 0;             ///< by how much its face separates less than the greatest, >= 0
+  Scalar excess = 0;             ///< by how much faces that hold it separate less than the greatest
   Manifold<Scalar> lone_vertex;  ///< behind the face of greatest separation, whatever its slab
   Scalar overlap = 0;            ///< how deep the greatest separation says that they overlap
 };
@@ -195,15 +195,17 @@ struct DeepestContact {
 /// For overlapping polygons whose features were chosen so that the clip kept too little: by a tie
 /// bias, or because two faces or edges are nearer than rounding can tell, and the slab of the wrong
 /// one misses the deepest vertex. The true face's slab holds it, since the shortest way out of an
-/// overlap ends inside a face. Neither the article nor Box2D does it: both report no contact there.
+/// overlap ends inside a face. A face that a clip is behind goes before one that separates more by
+/// no more than rounding and has only part of one: what that lacks is as much as a sliver is long.
+/// Neither the article nor Box2D does it: both report no contact there.
 template <class Scalar>
 DeepestContact<Scalar> find_deepest_contact(const ConvexPolygon<Scalar>& a,
                                             const ConvexPolygon<Scalar>& b) {
   constexpr Scalar none = -std::numeric_limits<Scalar>::infinity();
   const Scalar roundoff = separation_roundoff(a, b);
   DeepestContact<Scalar> deepest;
-  Scalar greatest = none;  // of the chosen face, less what its contact may be off by
-  Scalar separation_of_chosen = none;
+  Scalar certain_of_chosen = none;  // its separation, less what rounding may add to it
+  Scalar greatest_that_holds = none;
   Scalar greatest_of_all = none;
   for_each_face(a, b, [&](Side side, const auto& reference, int face_index, const auto& opposing) {
     const FaceSeparation<Scalar> found = face_separation(reference, face_index, opposing);
@@ -211,15 +213,16 @@ DeepestContact<Scalar> find_deepest_contact(const ConvexPolygon<Scalar>& a,
       greatest_of_all = found.separation;
       deepest.lone_vertex = lone_vertex(reference, side, found, opposing);
     }
-    if (found.separation <= greatest) return;
+    if (found.separation <= certain_of_chosen) return;
     const BehindFace<Scalar> behind = contact_behind_face(a, b, side, found, roundoff);
-    const Scalar certain = found.separation - (behind.is_by_rounding ? roundoff : Scalar(0));
-    if (behind.manifold.count == 0 || certain <= greatest) return;
-    greatest = certain;
-    separation_of_chosen = found.separation;
+    if (behind.manifold.count == 0) return;
+    greatest_that_holds = std::max(greatest_that_holds, found.separation);
+    const Scalar certain = behind.is_deep_clip ? found.separation : found.separation - roundoff;
+    if (certain <= certain_of_chosen) return;
+    certain_of_chosen = certain;
     deepest.manifold = behind.manifold;
   });
-  deepest.excess = greatest_of_all - separation_of_chosen;
+  deepest.excess = greatest_of_all - greatest_that_holds;
   deepest.overlap = -greatest_of_all;
   return deepest;
 }

@@ -238,8 +238,8 @@ NearestPlaces<Scalar> nearest_of_all(const ConvexPolygon<Scalar>& a,
   return nearest;
 }
 
-/// How far placing a polygon moved its vertices off its faces, which turn without rounding alike: a
-/// length, the most by which a face's far end is off its line.
+/// The most by which a face's far end is off the face's line, a length: vertices and normals are
+/// rounded apart when a polygon is placed, the more so from far away.
 template <class Scalar>
 Scalar misfit_of_faces(const ConvexPolygon<Scalar>& placed) {
   Scalar most = 0;
@@ -271,6 +271,7 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
   const NearestPlaces<Scalar> places = a_first ? walk_nearer(a, of_a.face, b, of_a.deepest)
                                                : walk_nearer(a, of_b.deepest, b, of_b.face);
   if (are_nearest(a, b, places)) return places;
+  // By so much a face's separation depends on the end that it is measured from.
   const Scalar misfit = misfit_of_faces(a) + misfit_of_faces(b);
   const auto at_face = places_at_any_face<Scalar>(a, b, least - misfit, roundoff);
   if (at_face) return *at_face;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "geometry/convex_polygon.hpp"
+#include "geometry/manifold.hpp"
 
 namespace manifuzz::clipping {
 

@@ -81,7 +81,7 @@ Scalar past_ends(const ConvexPolygon<Scalar>& polygon, int face, const Vector2<S
                    along.dot(point - polygon.vertices[polygon.next(face)]), Scalar(0)});
 }
 
-/// A place of the other core at a face, and how far it is off the deepest of an overlap, a length:
+/// A place of the other core at a face, and how far it is off the deepest one, a length:
 /// by how much it is less deep, or past the face's ends, whichever is more.
 template <class Scalar>
 struct PlaceOff {
@@ -116,8 +116,8 @@ PlaceOff<Scalar> least_off_at_face(const ConvexPolygon<Scalar>& polygon,
   return off_inside < least.off ? PlaceOff<Scalar>{*inside, off_inside} : least;
 }
 
-/// The contact of cores that overlap, or nearly touch, where no place is the deepest before a face
-/// but for rounding: at the face and place that are least off together.
+/// The contact where no place is the deepest, or nearest, before a face but for rounding: at the
+/// face and place that are least off together.
 template <class Scalar>
 Manifold<Scalar> contact_at_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                     const NearestFaces<Scalar>& faces) {
@@ -163,8 +163,8 @@ Manifold<Scalar> contact_of_skins(const ConvexPolygon<Scalar>& a, const ConvexPo
 /// The greatest separation of all faces, not only of those that GJK has found; minus infinity of a
 /// point.
 template <class Scalar>
-clipping::FaceSeparation<Scalar> separation_of_all(const ConvexPolygon<Scalar>& polygon,
-                                                   const ConvexPolygon<Scalar>& other) {
+clipping::FaceSeparation<Scalar> greatest_of_all_faces(const ConvexPolygon<Scalar>& polygon,
+                                                       const ConvexPolygon<Scalar>& other) {
   if (polygon.face_count() == 0) return {};
   return clipping::greatest_separation(polygon, other, std::numeric_limits<Scalar>::infinity());
 }
@@ -181,8 +181,8 @@ Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const Conve
   clipping::FaceSeparation<Scalar> of_b = faces.of_b;
   clipping::NearestPlaces<Scalar> nearest = vertices;
   if (!clipping::are_nearest(a, b, vertices)) {
-    of_a = separation_of_all(a, b);
-    of_b = separation_of_all(b, a);
+    of_a = greatest_of_all_faces(a, b);
+    of_b = greatest_of_all_faces(b, a);
     nearest = clipping::nearest_places(a, b, of_a, of_b, roundoff);
   }
   const auto normal = clipping::nearest_normal(a, b, of_a, of_b, nearest, roundoff);
@@ -190,7 +190,8 @@ Manifold<Scalar> contact_of_vertices(const ConvexPolygon<Scalar>& a, const Conve
   return clipping::nearest_contact(a, b, nearest, *normal, roundoff, SecondPoint::never());
 }
 
-/// Where nothing is in front of a face: at two vertices; and of cores that overlap, at the deepest.
+/// Where nothing is in front of a face: at two vertices; of cores that overlap, and of mitred ones
+/// whose vertices rounding alone took for the nearest, at the face and place that are least off.
 template <class Scalar>
 Manifold<Scalar> contact_outside_faces(const ConvexPolygon<Scalar>& a,
                                        const ConvexPolygon<Scalar>& b,

@@ -28,13 +28,12 @@ using Answers = std::vector<Answer>;
 /// A port with a planted bug, asked about all cases at once, as a kernel for many pairs is.
 struct Port {
   Bug bug;
-  std::string variant;
-  ScalarType scalar;
+  Declaration declaration;
   std::function<Answers(std::span<const PairCase>)> ask;
 
   std::string name() const {
-    return fmt::format("{}.{}.{}.{}", bug.table, bug.name, variant,
-                       scalar == ScalarType::float32 ? "float32" : "float64");
+    return fmt::format("{}.{}.{}.{}", bug.table, bug.name, declaration.name,
+                       declaration.scalar == ScalarType::float32 ? "float32" : "float64");
   }
 };
 
@@ -43,16 +42,20 @@ std::vector<Port>& ports() {
   return all;
 }
 
-void add_port(const Bug& bug, const std::string& variant, ScalarType scalar,
+void add_port(const Bug& bug, const Declaration& declaration,
               const std::function<Answers(std::span<const PairCase>)>& ask) {
-  ports().push_back({bug, variant, scalar, [bug, ask](std::span<const PairCase> pairs) {
+  ports().push_back({bug, declaration, [bug, ask](std::span<const PairCase> pairs) {
                        const Acting acting(bug);
                        return ask(pairs);
                      }});
 }
 
 void add_port_of(const Bug& bug, const Collider& collider) {
-  add_port(bug, collider.declaration.name, collider.declaration.scalar,
+  const Declaration& declaration = collider.declaration;
+  add_port(bug,
+           {.name = declaration.name,
+            .scalar = declaration.scalar,
+            .second_point = declaration.second_point},
            [collide = collider.collide](std::span<const PairCase> pairs) {
              Answers answers;
              std::ranges::transform(pairs, std::back_inserter(answers), collide);
@@ -60,8 +63,7 @@ void add_port_of(const Bug& bug, const Collider& collider) {
            });
 }
 
-bool is_wrong(const PairCase& pair, ScalarType scalar, const Answer& answer) {
-  const Declaration declaration{.name = "port", .scalar = scalar};
+bool is_wrong(const PairCase& pair, const Declaration& declaration, const Answer& answer) {
   const auto truth = std::make_shared<const exact::Truth>(pair);
   return judge_alone(truth, {declaration, answer}).bucket.fault != Fault::none;
 }
@@ -69,29 +71,29 @@ bool is_wrong(const PairCase& pair, ScalarType scalar, const Answer& answer) {
 /// The article's own entry, which is given a normal and goes by farthest vertices: asked where that
 /// is right without the bug.
 void add_port_of_normals(const Bug& bug, const Collider& collider) {
-  const ScalarType scalar = collider.declaration.scalar;
-  add_port(bug, collider.declaration.name + "_of_normals", scalar,
-           [bug, collider, scalar](std::span<const PairCase> pairs) {
-             Answers answers;
-             for (const PairCase& pair : pairs) {
-               const Acting none(Bug{"", 0, ""});
-               const Answer usual = collider.collide(pair);
-               answers.push_back(usual);
-               const auto* const manifold = std::get_if<Manifold<double>>(&usual);
-               if (is_round(pair) || manifold == nullptr || manifold->count == 0) continue;
-               if (is_wrong(pair, scalar, collider.from_normal(pair, manifold->normal))) continue;
-               const Acting acting(bug);
-               answers.back() = collider.from_normal(pair, manifold->normal);
-             }
-             return answers;
-           });
+  const Declaration declaration{.name = collider.declaration.name + "_of_normals",
+                                .scalar = collider.declaration.scalar};
+  add_port(bug, declaration, [bug, collider, declaration](std::span<const PairCase> pairs) {
+    Answers answers;
+    for (const PairCase& pair : pairs) {
+      const Acting none(Bug{"", 0, ""});
+      const Answer usual = collider.collide(pair);
+      answers.push_back(usual);
+      const auto* const manifold = std::get_if<Manifold<double>>(&usual);
+      if (is_round(pair) || manifold == nullptr || manifold->count == 0) continue;
+      if (is_wrong(pair, declaration, collider.from_normal(pair, manifold->normal))) continue;
+      const Acting acting(bug);
+      answers.back() = collider.from_normal(pair, manifold->normal);
+    }
+    return answers;
+  });
 }
 
 template <class Scalar>
 void add_batch(const Bug& bug, const std::string& variant,
                typename PlantedBatch<Scalar>::Collide collide) {
   const auto scalar = std::is_same_v<Scalar, float> ? ScalarType::float32 : ScalarType::float64;
-  add_port(bug, variant, scalar, [collide](std::span<const PairCase> pairs) {
+  add_port(bug, {.name = variant, .scalar = scalar}, [collide](std::span<const PairCase> pairs) {
     std::vector<Placed<Scalar>> placed;
     for (const PairCase& pair : pairs) placed.push_back(clipping::placed_pair<Scalar>(pair));
     std::vector<Manifold<Scalar>> manifolds(pairs.size());
@@ -140,7 +142,7 @@ bool add_methods(const std::vector<Bug>& bugs, const std::vector<MakeMethod>& ma
 bool add_pairs(const std::vector<Bug>& bugs, AskPair ask) {
   for (const Bug& bug : bugs) {
     for (const bool hinted : {false, true}) {
-      add_port(bug, hinted ? "pair_hinted" : "pair", ScalarType::float32,
+      add_port(bug, {.name = hinted ? "pair_hinted" : "pair"},
                [ask, hinted](std::span<const PairCase> pairs) {
                  Answers answers;
                  for (const PairAnswers& said : ask(pairs, 0, hinted)) {
@@ -187,7 +189,7 @@ void write_answers(const std::vector<PairCase>& pairs, const std::filesystem::pa
     const Answers answers = port.ask(pairs);
     std::string text;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      append_answer(text, pairs[i], port.variant, answers[i]);
+      append_answer(text, pairs[i], port.declaration.name, answers[i]);
       text += '\n';
     }
     write_file(folder / (port.name() + ".jsonl"), text);
@@ -211,7 +213,7 @@ void print_picks(std::uint64_t seed, std::uint64_t cases, const std::set<std::st
         if (!bugs.contains(bug) || found[bug] >= kPicks) continue;
         const Answers answers = port.ask(pairs);
         for (std::uint64_t i = 0; i < kTogether && found[bug] < kPicks; ++i) {
-          if (!is_wrong(pairs[i], port.scalar, answers[i]) || !conformance_line("", pairs[i]))
+          if (!is_wrong(pairs[i], port.declaration, answers[i]) || !conformance_line("", pairs[i]))
             continue;
           ++found[bug];
           std::cout << regime.name << '/' << seed << '/' << first + i << "  # " << port.name()
