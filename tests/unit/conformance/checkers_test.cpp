@@ -23,17 +23,17 @@ using namespace manifuzz::test;
 
 namespace {
 
-/// Every fifth case of the stored suite.
+/// Cases of the stored suite.
 struct Sample {
   std::vector<std::string> lines;
   std::vector<PairCase> pairs;
 };
 
-Sample sample() {
-  constexpr std::size_t kStep = 5;
+/// Every case in so many.
+Sample sample(std::size_t step = 5) {
   const auto all = lines_of(text_of(source_dir() / "corpus/conformance/cases.jsonl"));
   Sample result;
-  for (std::size_t i = 0; i < all.size(); i += kStep) {
+  for (std::size_t i = 0; i < all.size(); i += step) {
     const JsonTree tree = parse_json(all[i]);
     const JsonView view(tree);
     result.lines.push_back(all[i]);
@@ -174,6 +174,27 @@ TEST_CASE("both checkers agree with the judge on answers of engines, and on dama
       CHECK(wrong > 500);
     }
   }
+}
+
+TEST_CASE("a planted bug fails the suite where its answers do, and an unedited copy's never") {
+  if (!is_there(kCheckers[0])) return;
+  const std::string script = (source_dir() / "tests/conformance/planted_bugs").string();
+  const Sample cases = sample(1);
+  const Collider clip = find_collider("clip");
+  const auto right = answers_of(clip, cases.pairs, kDamages.front().second);
+  const auto reversed = answers_of(clip, cases.pairs, kDamages.back().second);
+  const TemporaryFolder folder;
+  folder.write("edits.unedited_copy.clip.float32.jsonl", joined(right));
+  folder.write("edits.no_bug.clip.float32.jsonl", joined(right));
+  folder.write("edits.reversed.clip.float32.jsonl", joined(reversed));
+  const Outcome outcome = run_program({"python3", script, folder.path().string()});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Catch::StartsWith("edits.no_bug passes\nedits.reversed clip "));
+  CHECK_THAT(outcome.out,
+             Catch::EndsWith("edits.unedited_copy passes\n"
+                             "1 of 2 bugs fail the suite; 0 of 1 unedited copies do\n"));
+  folder.write("edits.unedited_copy.clip.float32.jsonl", joined(reversed));
+  CHECK(run_program({"python3", script, folder.path().string()}).status == 1);
 }
 
 TEST_CASE("a checker asks a program about what it declares that it takes") {
