@@ -82,7 +82,8 @@ Scalar past_ends(const ConvexPolygon<Scalar>& polygon, int face, const Vector2<S
 }
 
 /// A place of the other core at a face, and how far it is off the deepest one, a length:
-/// by how much it is less deep, or past the face's ends, whichever is more.
+/// by how much it is less deep, or farther past the face's ends than side planes are widened,
+/// whichever is more.
 template <class Scalar>
 struct PlaceOff {
   PlaceOfOther<Scalar> place;  ///< of the other core
@@ -91,18 +92,19 @@ struct PlaceOff {
 
 /// The other core's place that is least off at a face: a vertex, or where an edge leaves the slab
 /// between the face's ends. Rounding, of placing the cores too, may take a vertex far along the
-/// face for the deepest.
+/// face for the deepest. `margin` is by how much side planes are widened, a length.
 template <class Scalar>
 PlaceOff<Scalar> least_off_at_face(const ConvexPolygon<Scalar>& polygon,
                                    const clipping::FaceSeparation<Scalar>& found,
-                                   const ConvexPolygon<Scalar>& other) {
+                                   const ConvexPolygon<Scalar>& other, Scalar margin) {
   const auto less_deep = [&](const Vector2<Scalar>& place) {
     return polygon.normals[found.face].dot(place - polygon.vertices[found.face]) - found.separation;
   };
   const auto at_vertex = [&](int j) {
     const Vector2<Scalar>& corner = other.vertices[j];
-    return PlaceOff<Scalar>{{corner, clipping::face(found.face), clipping::vertex(j)},
-                            std::max(less_deep(corner), past_ends(polygon, found.face, corner))};
+    return PlaceOff<Scalar>{
+        {corner, clipping::face(found.face), clipping::vertex(j)},
+        std::max(less_deep(corner), past_ends(polygon, found.face, corner) - margin)};
   };
   PlaceOff<Scalar> least = at_vertex(found.deepest);
   for (int j = 0; j < other.count; ++j) {
@@ -121,9 +123,10 @@ PlaceOff<Scalar> least_off_at_face(const ConvexPolygon<Scalar>& polygon,
 template <class Scalar>
 Manifold<Scalar> contact_at_deepest(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                     const NearestFaces<Scalar>& faces) {
+  const Scalar margin = clipping::slab_margin(a, b);
   const auto off_at = [&](const FoundFace<Scalar>& face) {
     const bool is_of_a = face.side == Side::a;
-    PlaceOff<Scalar> here = least_off_at_face(is_of_a ? a : b, face.found, is_of_a ? b : a);
+    PlaceOff<Scalar> here = least_off_at_face(is_of_a ? a : b, face.found, is_of_a ? b : a, margin);
     here.off += faces.separation() - face.found.separation;
     return here;
   };

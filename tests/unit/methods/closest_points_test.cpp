@@ -139,8 +139,8 @@ TEST_CASE("a hint loses no contact where the square of its edge underflows") {
 
 TEST_CASE("a place at a face is off by how much less deep it is, or how far past the ends") {
   const auto box = shape<double>({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 0);
-  const auto off = [&](const ConvexPolygon<double>& other) {
-    return least_off_at_face(box, clipping::face_separation(box, 2, other), other);
+  const auto off = [&](const ConvexPolygon<double>& other, double margin = 0) {
+    return least_off_at_face(box, clipping::face_separation(box, 2, other), other, margin);
   };
   const auto before = off(shape<double>({{0.5, 0.5}, {4, 4}, {-4, 4}}, 0));
   CHECK(before.off == 0);
@@ -148,6 +148,7 @@ TEST_CASE("a place at a face is off by how much less deep it is, or how far past
   const auto past = off(shape<double>({{1.25, 0.5}, {4, 4}, {0.75, 4}}, 0));
   CHECK(past.off == 0.25);
   CHECK(past.place.of_other == clipping::vertex(0));
+  CHECK(off(shape<double>({{1.25, 0.5}, {4, 4}, {0.75, 4}}, 0), 0.25).off == 0);
   const auto far = off(shape<double>({{-5, 0.5}, {3, 0.75}, {0, 5}}, 0));
   CHECK(far.off == 0.125);
   CHECK(far.place.of_other == clipping::face(0));
