@@ -142,27 +142,15 @@ TEST_CASE("round corners touch where they are nearest, and not where mitred ones
 TEST_CASE("a corner before a face is nearest where no two vertices are") {
   const auto box = make_polygon<double>(kBox);
   const auto above = make_polygon<double>(Core{{0.75, 1.5}, {3, 4}, {-3, 5}});
-  const auto at_face = clipping::nearest_of_all(box, above);
+  const auto at_face = clipping::nearest_of_all(box, above, 0.0);
   CHECK(at_face.features.a == clipping::face(2));
   CHECK(at_face.features.b == clipping::vertex(0));
   CHECK(at_face.apart == Vector2<double>(0, 0.5));
-  CHECK(clipping::nearest_of_all(above, box).apart == Vector2<double>(0, -0.5));
+  CHECK(clipping::nearest_of_all(above, box, 0.0).apart == Vector2<double>(0, -0.5));
   const auto beside = make_polygon<double>(Core{{1.75, 1.5}, {3, 4}, {2, 5}});
-  const auto at_corner = clipping::nearest_of_all(box, beside);
+  const auto at_corner = clipping::nearest_of_all(box, beside, 0.0);
   CHECK(at_corner.features.a == clipping::vertex(2));
   CHECK(at_corner.apart == Vector2<double>(0.75, 0.5));
-}
-
-TEST_CASE("two vertices are off by how far the line between them leads along an edge") {
-  const auto box = make_polygon<double>(kBox);
-  const auto slip_to = [&](double x, double y) {
-    const auto point = make_polygon<double>(Core{{x, y}});
-    return clipping::slip_along_edges(box, point, clipping::between_vertices(box, 2, point, 0));
-  };
-  CHECK(slip_to(2, 3) == 0);
-  CHECK(slip_to(0.75, 3) == 0.25);
-  CHECK(slip_to(3, -0.5) == 1.5);
-  CHECK(slip_to(3, -9) == 2);
 }
 
 TEST_CASE("a vertex off the line of a face is a misfit, along it is none") {
