@@ -199,15 +199,36 @@ void for_each_before_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Sc
   });
 }
 
+/// How far the line between two vertices leads along an edge of either, and no farther than the
+/// edge: about as far as nearer places are from them, a length. 0 where it is normal to both.
+template <class Scalar>
+Scalar slip_along_edges(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
+                        const NearestPlaces<Scalar>& places) {
+  const auto slip = [](const ConvexPolygon<Scalar>& polygon, int corner,
+                       const Vector2<Scalar>& outward) {
+    const auto along = [&](int edge, int neighbour, Scalar sign) {
+      const Vector2<Scalar> to_neighbour = sign * along_face(polygon, edge);
+      const Vector2<Scalar> whole = polygon.vertices[neighbour] - polygon.vertices[corner];
+      return std::min(to_neighbour.dot(outward), to_neighbour.dot(whole));
+    };
+    const int previous = polygon.previous(corner);
+    return std::max(along(corner, polygon.next(corner), Scalar(1)),
+                    along(previous, previous, Scalar(-1)));
+  };
+  return std::max({slip(a, places.features.a.index, places.apart),
+                   slip(b, places.features.b.index, -places.apart), Scalar(0)});
+}
+
 /// Where two cores are nearest that are apart by more than rounding: at the nearest vertices, or
-/// at the nearest corner before a face unless it is farther away by more than `roundoff`, a length.
-/// No face is asked for its deepest vertex, since rounding, of placing the cores too, may take
-/// another for it.
+/// at the nearest corner before a face unless it is farther away by more than these are off, or
+/// than `roundoff`, a length. No face is asked for its deepest vertex, since rounding, of placing
+/// the cores too, may take another for it.
 template <class Scalar>
 NearestPlaces<Scalar> nearest_of_all(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      Scalar roundoff) {
   NearestPlaces<Scalar> nearest = nearest_vertices(a, b);
-  double least = std::sqrt(squared_length(nearest.apart)) + static_cast<double>(roundoff);
+  const Scalar off = std::min(slip_along_edges(a, b, nearest), roundoff);
+  double least = std::sqrt(squared_length(nearest.apart)) + static_cast<double>(off);
   for_each_before_face(a, b, [&](const NearestPlaces<Scalar>& places, Scalar separation) {
     const auto wide = static_cast<double>(separation);
     if (wide <= 0 || wide >= least) return;

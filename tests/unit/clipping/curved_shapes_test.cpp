@@ -153,6 +153,18 @@ TEST_CASE("a corner before a face is nearest where no two vertices are") {
   CHECK(at_corner.apart == Vector2<double>(0.75, 0.5));
 }
 
+TEST_CASE("two vertices are off by how far the line between them leads along an edge") {
+  const auto box = make_polygon<double>(kBox);
+  const auto slip_to = [&](double x, double y) {
+    const auto point = make_polygon<double>(Core{{x, y}});
+    return clipping::slip_along_edges(box, point, clipping::between_vertices(box, 2, point, 0));
+  };
+  CHECK(slip_to(2, 3) == 0);
+  CHECK(slip_to(0.75, 3) == 0.25);
+  CHECK(slip_to(3, -0.5) == 1.5);
+  CHECK(slip_to(3, -9) == 2);
+}
+
 TEST_CASE("a vertex off the line of a face is a misfit, along it is none") {
   auto box = make_polygon<double>(kBox);
   CHECK(clipping::misfit_of_faces(box) == 0);
