@@ -57,9 +57,9 @@ TEST_CASE("kernels have the digest of the clean code, on every instruction set")
 
 // Any machine and compiler: a change of it changes the bits of somebody's contacts.
 TEST_CASE("the digest of the clean code is what it was") {
-  CHECK(digest_of(make_pair()).hash == 0x37e1f1705f00bd89ULL);
+  CHECK(digest_of(make_pair()).hash == 0xb7169ca2dee79955ULL);
   CHECK(digest_of(make_batch64()).hash == 0x43e6e53ee62902e7ULL);
-  CHECK(digest_of(make_clip()).hash == 0x37e1f1705f00bd89ULL);
+  CHECK(digest_of(make_clip()).hash == 0xb7169ca2dee79955ULL);
   CHECK(digest_of(make_clip64()).hash == 0x43e6e53ee62902e7ULL);
 }
 
