@@ -68,10 +68,11 @@ function angleChord(n, m) {
 }
 
 // The heights along the normal, least and most, of what of a core faces the other one from low to high.
-function heights(shape, normal, side, low, high) {
+function heights(shape, normal, side, low, high, thin) {
   const ends = shape.map((v) => [cross(normal, v), dot(normal, v)]);
-  const isAcross = ends.every(([x]) => x === ends[0][0] && low <= x && x <= high); // a point, or seen as one
-  const seen = isAcross ? ends.map(([, y]) => y) : [];
+  const places = ends.map(([x]) => x);
+  const isThin = Math.max(...places) - Math.min(...places) <= thin; // rounding alone says which side faces
+  const seen = ends.filter(([x]) => isThin && low <= x && x <= high).map(([, y]) => y);
   for (const [i, p] of ends.entries()) {
     const q = ends[(i + 1) % ends.length];
     const [[x, y], [u, v]] = side === "a" ? [p, q] : [q, p];
@@ -105,7 +106,7 @@ function whyNoContact({ a, b, round: right }, scalar, points, normal) {
   const places = points.map(({ at }) => turn(a.rotation, at));
   const isWitness = (p, i) => {
     const [low, high] = [-within.along, within.along].map((x) => cross(n, p) + x);
-    const [top, bottom] = ["a", "b"].map((side) => heights(cores[side], n, side, low, high));
+    const [top, bottom] = ["a", "b"].map((side) => heights(cores[side], n, side, low, high, within.across));
     if (!top || !bottom) return false;
     const isDeepest = i === depths.indexOf(deepest) && "shortfall" in within;
     const [least, most] = [-within.consistency, within.consistency].map((x) => depths[i] + x - radii);

@@ -108,11 +108,11 @@ def why_no_clip(right, scalar, answer, points, normal):
                  if not any(k in ks for ks in near)), None)
 
 
-def heights(shape, normal, side, low, high):
+def heights(shape, normal, side, low, high, thin):
     """The heights along the normal, least and most, of what of a core faces the other one from low to high."""
     ends = [(cross(normal, v), dot(normal, v)) for v in shape]
-    is_across = all(x == ends[0][0] and low <= x <= high for x, _ in ends)  # a point, or seen as one
-    seen = [y for _, y in ends] if is_across else []
+    is_thin = max(ends)[0] - min(ends)[0] <= thin  # rounding alone says which side faces the other core
+    seen = [y for x, y in ends if is_thin and low <= x <= high]
     for p, q in zip(ends, ends[1:] + ends[:1]):
         (x, y), (u, v) = (p, q) if side == "a" else (q, p)
         if u > x and max(x, low) <= min(u, high):
@@ -142,8 +142,8 @@ def why_no_contact(case, scalar, points, normal):
     at = [turn(case["a"]["rotation"], local) for local, _, _ in points]
     for i, (p, (_, depth, _)) in enumerate(zip(at, points)):
         place, height = cross(n, p), dot(n, p)
-        top, bottom = (heights(shape, n, side, place - within["along"], place + within["along"])
-                       for shape, side in ((a, "a"), (b, "b")))
+        reach = place - within["along"], place + within["along"], within["across"]
+        top, bottom = (heights(shape, n, side, *reach) for shape, side in ((a, "a"), (b, "b")))
         least, most = (depth + sign * within["consistency"] - sum(radii) for sign in (-1, 1))
         if i == [d for _, d, _ in points].index(deepest) and "shortfall" in within:
             least = max(least, along - within["shortfall"])

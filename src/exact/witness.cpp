@@ -70,9 +70,10 @@ class Frame {
   E length(double world) const { return scaled(Number(0.0), world, squared_); }
   E radii() const { return length(pair_.a.polygon.radius) + length(pair_.b.polygon.radius); }
 
-  /// The heights of a side's edges that face the other, where they lie at these places; none where
-  /// none does. Of edges steeper than `steepest`, none are seen.
-  std::optional<Interval<E>> heights(Side side, const Interval<E>& places,
+  /// The heights of a side's edges that face the other, where they lie at these places, and of all
+  /// vertices there if the core is no wider than `thin`; none where nothing lies there. Of edges
+  /// steeper than `steepest`, none are seen.
+  std::optional<Interval<E>> heights(Side side, const Interval<E>& places, const E& thin,
                                      std::optional<double> steepest) const {
     std::optional<Interval<E>> all;
     const auto& polygon = pair_[side].polygon;
@@ -83,22 +84,27 @@ class Frame {
       if (side == Side::b) std::swap(from, to);
       add_heights(from, to, places, steepest, all);
     }
-    if (polygon.count < kMinVertices) add_ends(side, places, all);
+    if (is_within(width(side), thin)) add_vertices(side, places, all);
     return all;
   }
 
  private:
-  /// Adds the ends of a point, or of a segment along the normal, which a turn however small shows
-  /// at its height.
-  void add_ends(Side side, const Interval<E>& places, std::optional<Interval<E>>& all) const {
-    const auto& polygon = pair_[side].polygon;
-    const Point<Number> first = vertex<Number>(pair_, side, 0);
-    const Point<Number> last = vertex<Number>(pair_, side, polygon.count - 1);
-    if (sign_of(place(last) - place(first)) != 0) return;
-    const E at = element(place(first));
-    if (sign_of(at - places.low) < 0 || sign_of(places.high - at) < 0) return;
-    for (const Point<Number>& end : {first, last}) {
-      const E value = element(height(end));
+  static bool is_within(const E& value, const E& most) { return sign_of(most - value) >= 0; }
+  /// Along the tangent.
+  E width(Side side) const {
+    const E first = element(place(vertex<Number>(pair_, side, 0)));
+    Interval<E> all{first, first};
+    for (int i = 1; i < pair_[side].polygon.count; ++i) {
+      all.widen_to(element(place(vertex<Number>(pair_, side, i))));
+    }
+    return all.high - all.low;
+  }
+  void add_vertices(Side side, const Interval<E>& places, std::optional<Interval<E>>& all) const {
+    for (int i = 0; i < pair_[side].polygon.count; ++i) {
+      const Point<Number> corner = vertex<Number>(pair_, side, i);
+      const E at = element(place(corner));
+      if (!is_within(places.low, at) || !is_within(at, places.high)) continue;
+      const E value = element(height(corner));
       if (!all) all = Interval<E>{value, value};
       all->widen_to(value);
     }
@@ -163,8 +169,9 @@ bool finds_places(const Truth& truth, const Along& along, const PointClaim& clai
   const E place = frame.element(frame.place(at));
   const Interval<E> near{place - frame.length(claim.along), place + frame.length(claim.along)};
   if (near.is_empty()) return false;
-  const auto top = frame.heights(Side::a, near, steepest);
-  const auto bottom = frame.heights(Side::b, near, steepest);
+  const E across = frame.length(claim.across);
+  const auto top = frame.heights(Side::a, near, across, steepest);
+  const auto bottom = frame.heights(Side::b, near, across, steepest);
   if (!top || !bottom) return false;
   Interval<E> difference{frame.length(claim.gap_least) - frame.length(claim.slack) - frame.radii(),
                          frame.length(claim.gap_most) + frame.length(claim.slack) - frame.radii()};
@@ -174,7 +181,6 @@ bool finds_places(const Truth& truth, const Along& along, const PointClaim& clai
   }
   return std::ranges::any_of(claim.heights, [&](const Height& claimed) {
     const E height = frame.element(frame.height(at)) - frame.length(claimed.offset);
-    const E across = frame.length(claim.across);
     return fits(*top, *bottom, claimed, {height - across, height + across}, difference);
   });
 }

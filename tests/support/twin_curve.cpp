@@ -60,23 +60,27 @@ bool hold_somewhere(const std::vector<Condition>& conditions) {
 }
 
 /// The least and the largest height of a polygon on lines along the direction, from one place to
-/// another: at one of them, or at a corner between.
+/// another: at one of them, or at a corner between, on either side of a thin one.
 std::optional<std::pair<Ratio, Ratio>> heights(const Outline& polygon, const Exact& direction,
-                                               const Ratio& from, const Ratio& to, int sign) {
-  std::vector<Ratio> places{from, to};
-  for (const Exact& corner : polygon.corners) {
-    const Ratio place = Exact{-direction.y, direction.x} * corner;
-    if (from <= place && place <= to) places.push_back(place);
+                                               const Ratio& from, const Ratio& to, int sign,
+                                               const Ratio& thin) {
+  const Exact tangent{-direction.y, direction.x};
+  std::vector<Ratio> corners;
+  for (const Exact& corner : polygon.corners) corners.push_back(tangent * corner);
+  const bool is_thin = std::ranges::max(corners) - std::ranges::min(corners) <= thin;
+  std::vector<Ratio> found;
+  const auto look = [&](const Ratio& place, int seen_from) {
+    if (const auto seen = height(polygon, direction, place, seen_from)) found.push_back(*seen);
+  };
+  look(from, sign);
+  look(to, sign);
+  for (const Ratio& place : corners) {
+    if (place < from || to < place) continue;
+    look(place, sign);
+    if (is_thin) look(place, -sign);
   }
-  std::optional<std::pair<Ratio, Ratio>> all;
-  for (const Ratio& place : places) {
-    const auto found = height(polygon, direction, place, sign);
-    if (!found) continue;
-    if (!all) all = {*found, *found};
-    all->first = std::min<Ratio>(all->first, *found);
-    all->second = std::max<Ratio>(all->second, *found);
-  }
-  return all;
+  if (found.empty()) return std::nullopt;
+  return std::pair(std::ranges::min(found), std::ranges::max(found));
 }
 
 /// From A to B.
@@ -157,8 +161,9 @@ bool TwinCurve::has_witness(const Vector2<double>& normal, const exact::PointCla
   const auto scaled = [&](double world) -> Ratio { return Ratio(world) * length; };
   const Ratio near = scaled(claim.along);
   if (near < 0) return false;
-  const auto top = heights(a_, direction, place - near, place + near, 1);
-  const auto bottom = heights(b_, direction, place - near, place + near, -1);
+  const Ratio thin = scaled(claim.across);
+  const auto top = heights(a_, direction, place - near, place + near, 1, thin);
+  const auto bottom = heights(b_, direction, place - near, place + near, -1, thin);
   if (!top || !bottom) return false;
   const Ratio radii = radius_ * length;
   std::vector<Condition> common{{1, 0, -top->first},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "support/twin_facts.hpp"
@@ -42,8 +43,10 @@ class View {
   }
   /// The largest height of A's core over B's.
   Ratio overlap() const { return farthest(a_, 1) - farthest(b_, -1); }
-  /// The heights of A's top, or with -1 of B's bottom, at these places; none beside the core.
-  std::optional<Span> heights(const Outline& core, int sign, const Span& places) const {
+  /// The heights of A's top, or with -1 of B's bottom, at these places, and of all corners there if
+  /// the core is no wider than `thin`; none beside the core.
+  std::optional<Span> heights(const Outline& core, int sign, const Span& places,
+                              const Real& thin) const {
     std::vector<Real> all{places.low, places.high};
     for (const Exact& corner : core.corners) {
       const Real at = place(corner);
@@ -56,17 +59,27 @@ class View {
       if (!found) found = Span{*here, *here};
       found = Span{lesser(found->low, *here), greater(found->high, *here)};
     }
-    // A segment along the direction: turned however little, it shows all its heights.
-    if (found && core.size() == 2 && place(core.corner(0)) == place(core.corner(1))) {
-      for (const Exact& corner : core.corners) {
-        const Real here(height(corner));
-        found = Span{lesser(found->low, here), greater(found->high, here)};
-      }
+    if (!found || thin < Real(width(core))) return found;
+    for (const Exact& corner : core.corners) {
+      const Real at(place(corner));
+      if (at < places.low || places.high < at) continue;
+      const Real here(height(corner));
+      found = Span{lesser(found->low, here), greater(found->high, here)};
     }
     return found;
   }
 
  private:
+  /// Along the tangent.
+  Ratio width(const Outline& core) const {
+    Ratio low = place(core.corners[0]);
+    Ratio high = low;
+    for (const Exact& corner : core.corners) {
+      low = std::min<Ratio>(low, place(corner));
+      high = std::max<Ratio>(high, place(corner));
+    }
+    return high - low;
+  }
   std::optional<Real> height_at(const Outline& core, int sign, const Real& at) const {
     std::optional<Real> most;
     const auto consider = [&](const Real& found) {
