@@ -71,9 +71,9 @@ class Frame {
   E radii() const { return length(pair_.a.polygon.radius) + length(pair_.b.polygon.radius); }
 
   /// The heights of a side's edges that face the other, where they lie at these places, and of all
-  /// vertices there if the core is no wider than `thin`; none where nothing lies there. Of edges
+  /// vertices there if the core is no wider than `narrow`; none where nothing lies there. Of edges
   /// steeper than `steepest`, none are seen.
-  std::optional<Interval<E>> heights(Side side, const Interval<E>& places, const E& thin,
+  std::optional<Interval<E>> heights(Side side, const Interval<E>& places, const E& narrow,
                                      std::optional<double> steepest) const {
     std::optional<Interval<E>> all;
     const auto& polygon = pair_[side].polygon;
@@ -84,7 +84,7 @@ class Frame {
       if (side == Side::b) std::swap(from, to);
       add_heights(from, to, places, steepest, all);
     }
-    if (is_within(width(side), thin)) add_vertices(side, places, all);
+    if (is_within(width(side), narrow)) add_vertices(side, places, all);
     return all;
   }
 
@@ -169,9 +169,9 @@ bool finds_places(const Truth& truth, const Along& along, const PointClaim& clai
   const E place = frame.element(frame.place(at));
   const Interval<E> near{place - frame.length(claim.along), place + frame.length(claim.along)};
   if (near.is_empty()) return false;
-  const E across = frame.length(claim.across);
-  const auto top = frame.heights(Side::a, near, across, steepest);
-  const auto bottom = frame.heights(Side::b, near, across, steepest);
+  const E narrow = frame.length(claim.narrow);
+  const auto top = frame.heights(Side::a, near, narrow, steepest);
+  const auto bottom = frame.heights(Side::b, near, narrow, steepest);
   if (!top || !bottom) return false;
   Interval<E> difference{frame.length(claim.gap_least) - frame.length(claim.slack) - frame.radii(),
                          frame.length(claim.gap_most) + frame.length(claim.slack) - frame.radii()};
@@ -181,22 +181,25 @@ bool finds_places(const Truth& truth, const Along& along, const PointClaim& clai
   }
   return std::ranges::any_of(claim.heights, [&](const Height& claimed) {
     const E height = frame.element(frame.height(at)) - frame.length(claimed.offset);
+    const E across = frame.length(claim.across);
     return fits(*top, *bottom, claimed, {height - across, height + across}, difference);
   });
 }
 
 /// With every allowance less by so much.
 PointClaim narrowed(PointClaim claim, double by) {
-  for (const auto of : {&PointClaim::along, &PointClaim::across, &PointClaim::slack})
+  for (const auto of :
+       {&PointClaim::along, &PointClaim::across, &PointClaim::slack, &PointClaim::narrow}) {
     claim.*of -= by;
+  }
   if (claim.shortfall) *claim.shortfall -= by;
   return claim;
 }
 
 /// Places that pairs of doubles find, well inside of what is allowed, are there. With v = 2^-101,
-/// the roundoff of such a pair, and E the extent, places and heights are off by less than 2^4 v E;
-/// on an edge of slope m heights by less than 2^5 v E (m + 1). Where m is less than 2^20 all stays
-/// below 2^-74 E, and what lies so far outside of an edge has a place on it as near.
+/// the roundoff of such a pair, and E the extent, places, widths and heights are off by less than
+/// 2^4 v E; on an edge of slope m heights by less than 2^5 v E (m + 1). Where m is less than 2^20
+/// all stays below 2^-74 E, and what lies so far outside of an edge has a place on it as near.
 bool surely_finds_places(const Truth& truth, const Along& along, const PointClaim& claim) {
   return finds_places<DoubleDouble>(truth, along, narrowed(claim, 0x1p-70 * truth.extent()),
                                     0x1p20);

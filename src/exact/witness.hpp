@@ -10,10 +10,10 @@ namespace manifuzz::exact {
 // Whether a contact point is one: as seen along the normal, there is a place on A's core that faces
 // B and one on B's that faces A, both near the point's line, so that the point lies where it claims
 // to lie and they overlap by what it claims. The places need not lie on one line: where corners
-// pass each other, which lines meet both depends on rounding alone; so does which side of a core
-// faces the other where it is no wider along the tangent than `across`, and there any vertex may be
-// such a place. top is the height of A's place, bottom that of B's, and the gap is top - bottom +
-// R, positive where they overlap.
+// pass each other, which lines meet both depends on rounding alone. A core that is narrow along the
+// tangent may face the other with either side: there vertices count, too, and what lies between.
+// top is the height of A's place, bottom that of B's, and the gap is top - bottom + R, positive
+// where they overlap.
 
 /// Where on its line a point lies: of_top * top + of_bottom * bottom + offset, world lengths.
 struct Height {
@@ -31,6 +31,7 @@ struct PointClaim {
   double along = 0;   ///< how far either place may be from the point's line
   double across = 0;  ///< how far the point may be from its height
   double slack = 0;   ///< of the gap
+  double narrow = 0;  ///< how wide a core is that rounding may turn over
   /// Where the point stands for the deepest overlap: by how much the gap may fall short of D(n).
   std::optional<double> shortfall{};
 };

@@ -90,6 +90,7 @@ CurveBounds curve_bounds(const PairCase& pair, const Declaration& declaration, d
           .minimality = 2 * of_clip.separation + turned,
           .along = of_clip.position + of_clip.separation,
           .across = of_clip.position,
+          .narrow = of_clip.position,
           .touching = of_clip.separation,
           .normal = of_clip.normal,
           .direction = of_clip.normal,

@@ -16,6 +16,7 @@ struct CurveBounds {
   double minimality = 0;    ///< of the depth at the normal against the least
   double along = 0;         ///< of a contact point, along the tangent
   double across = 0;        ///< of a contact point, along the normal
+  double narrow = 0;        ///< how wide a core is that rounding may turn over
   double touching = 0;      ///< of the least depth against 0
   double normal = 0;        ///< of the normal's length against 1
   double direction = 0;     ///< of the normal against the nearest direction

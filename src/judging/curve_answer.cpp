@@ -210,7 +210,8 @@ bool CurveAnswer::has_witnesses(const Along& along) const {
                             .gap_most = point.depth,
                             .along = reach(),
                             .across = bounds_.across + tolerance_,
-                            .slack = bounds_.consistency + tolerance_};
+                            .slack = bounds_.consistency + tolerance_,
+                            .narrow = bounds_.narrow};
     exact::PointClaim as_deepest = claim;
     // Two rounded depths say which is the deepest; of nearest places their distance has said it.
     if (!nearest_.decides()) as_deepest.shortfall = bounds_.minimality + tolerance_;

@@ -105,7 +105,8 @@ bool is_contact_point(const FrameView& view, const Declaration& declaration,
                             .gap_most = depth,
                             .along = bounds.along + tolerance + past_ends,
                             .across = bounds.across + tolerance,
-                            .slack = bounds.consistency + tolerance});
+                            .slack = bounds.consistency + tolerance,
+                            .narrow = bounds.narrow});
 }
 
 bool is_deepest_born(const FrameView& view, const KeptPoint& point) {

@@ -60,24 +60,25 @@ bool hold_somewhere(const std::vector<Condition>& conditions) {
 }
 
 /// The least and the largest height of a polygon on lines along the direction, from one place to
-/// another: at one of them, or at a corner between, on either side of a thin one.
+/// another: at one of them, or at a corner between, whichever way it faces on a narrow one.
 std::optional<std::pair<Ratio, Ratio>> heights(const Outline& polygon, const Exact& direction,
                                                const Ratio& from, const Ratio& to, int sign,
-                                               const Ratio& thin) {
+                                               const Ratio& narrow) {
   const Exact tangent{-direction.y, direction.x};
-  std::vector<Ratio> corners;
-  for (const Exact& corner : polygon.corners) corners.push_back(tangent * corner);
-  const bool is_thin = std::ranges::max(corners) - std::ranges::min(corners) <= thin;
+  std::vector<Ratio> places;
+  for (const Exact& corner : polygon.corners) places.push_back(tangent * corner);
+  const bool is_narrow = std::ranges::max(places) - std::ranges::min(places) <= narrow;
   std::vector<Ratio> found;
-  const auto look = [&](const Ratio& place, int seen_from) {
-    if (const auto seen = height(polygon, direction, place, seen_from)) found.push_back(*seen);
+  const auto look = [&](const Ratio& place) {
+    if (const auto seen = height(polygon, direction, place, sign)) found.push_back(*seen);
   };
-  look(from, sign);
-  look(to, sign);
-  for (const Ratio& place : corners) {
+  look(from);
+  look(to);
+  for (const Exact& corner : polygon.corners) {
+    const Ratio place = tangent * corner;
     if (place < from || to < place) continue;
-    look(place, sign);
-    if (is_thin) look(place, -sign);
+    look(place);
+    if (is_narrow) found.push_back(direction * corner);
   }
   if (found.empty()) return std::nullopt;
   return std::pair(std::ranges::min(found), std::ranges::max(found));
@@ -161,9 +162,9 @@ bool TwinCurve::has_witness(const Vector2<double>& normal, const exact::PointCla
   const auto scaled = [&](double world) -> Ratio { return Ratio(world) * length; };
   const Ratio near = scaled(claim.along);
   if (near < 0) return false;
-  const Ratio thin = scaled(claim.across);
-  const auto top = heights(a_, direction, place - near, place + near, 1, thin);
-  const auto bottom = heights(b_, direction, place - near, place + near, -1, thin);
+  const Ratio narrow = scaled(claim.narrow);
+  const auto top = heights(a_, direction, place - near, place + near, 1, narrow);
+  const auto bottom = heights(b_, direction, place - near, place + near, -1, narrow);
   if (!top || !bottom) return false;
   const Ratio radii = radius_ * length;
   std::vector<Condition> common{{1, 0, -top->first},

@@ -180,9 +180,9 @@ class RoundVerdict {
       return Span{value - seen.scaled(bound), value + seen.scaled(bound)};
     };
     const Span near = about(seen.place(at), allowed_.along);
-    const Real thin = seen.scaled(allowed_.across);
-    const auto top = seen.heights(twin_.a_, 1, near, thin);
-    const auto bottom = seen.heights(twin_.b_, -1, near, thin);
+    const Real narrow = seen.scaled(allowed_.narrow);
+    const auto top = seen.heights(twin_.a_, 1, near, narrow);
+    const auto bottom = seen.heights(twin_.b_, -1, near, narrow);
     if (!top || !bottom) return false;
     const Real overlap = seen.scaled(Real(point.depth) - Real(twin_.radius_));
     Span overlaps = about(overlap, allowed_.consistency);

@@ -44,9 +44,9 @@ class View {
   /// The largest height of A's core over B's.
   Ratio overlap() const { return farthest(a_, 1) - farthest(b_, -1); }
   /// The heights of A's top, or with -1 of B's bottom, at these places, and of all corners there if
-  /// the core is no wider than `thin`; none beside the core.
+  /// the core is no wider than `narrow`; none beside the core.
   std::optional<Span> heights(const Outline& core, int sign, const Span& places,
-                              const Real& thin) const {
+                              const Real& narrow) const {
     std::vector<Real> all{places.low, places.high};
     for (const Exact& corner : core.corners) {
       const Real at = place(corner);
@@ -59,7 +59,7 @@ class View {
       if (!found) found = Span{*here, *here};
       found = Span{lesser(found->low, *here), greater(found->high, *here)};
     }
-    if (!found || thin < Real(width(core))) return found;
+    if (!found || narrow < Real(width(core))) return found;
     for (const Exact& corner : core.corners) {
       const Real at(place(corner));
       if (at < places.low || places.high < at) continue;

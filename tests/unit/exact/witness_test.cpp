@@ -58,6 +58,7 @@ exact::PointClaim any_claim(Random& random, const exact::Truth& truth, const exa
   claim.along = std::abs(error());
   claim.across = std::abs(error());
   claim.slack = std::abs(error());
+  claim.narrow = std::abs(error());
   if (random.chance(0.5)) claim.shortfall = std::abs(error());
   return claim;
 }
@@ -94,25 +95,29 @@ void compare_witnesses(const Regime& regime) {
   CHECK(found > 0);
 }
 
-TEST_CASE("a vertex that faces away is a witness where rounding alone says which side does") {
+TEST_CASE(
+    "a vertex that faces away is a witness where a core is narrow, whatever else is allowed") {
   const std::array<Vector2<float>, 4> box{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   // Its lower edge alone faces the box; its top is 2 above that.
   const std::array<Vector2<float>, 3> standing{{{0, 1}, {0.25F, 1.5F}, {0.125F, 3}}};
   const exact::Truth truth(
       {{make_polygon<float>(box, 0.0F), {}}, {make_polygon<float>(standing, 0.0F), {}}});
   const exact::Along up(truth, {0, 1});
-  const auto is_one = [&](Vector2<double> position, double gap, double across) {
+  const auto is_one = [&](Vector2<double> position, double gap, double narrow) {
     const exact::PointClaim claim{.position = position,
                                   .heights = kCores,
                                   .gap_least = gap,
                                   .gap_most = gap,
-                                  .across = across};
+                                  .along = 0.001,
+                                  .across = 0.5,
+                                  .slack = 0.001,
+                                  .narrow = narrow};
     return exact::is_witness(truth, up, claim);
   };
   CHECK(is_one({0.125, 1.25}, -0.25, 0));
   CHECK(is_one({0.125, 3}, -2, 0.25));
   CHECK_FALSE(is_one({0.125, 3}, -2, 0.249));
-  CHECK_FALSE(is_one({0.125, 4}, -2, 0.25));
+  CHECK_FALSE(is_one({0.125, 4}, -3, 0.25));
   CHECK_FALSE(is_one({0.25, 3}, -2, 0.25));
 }
 
