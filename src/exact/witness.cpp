@@ -55,6 +55,13 @@ struct Interval {
   }
 };
 
+/// Begins an interval with a value, or widens it to that.
+template <class E>
+void add(const E& value, std::optional<Interval<E>>& all) {
+  if (!all) all = Interval<E>{value, value};
+  all->widen_to(value);
+}
+
 /// Tangent places, heights and lengths, as they are along one normal.
 template <class Number>
 class Frame {
@@ -84,29 +91,27 @@ class Frame {
       if (side == Side::b) std::swap(from, to);
       add_heights(from, to, places, steepest, all);
     }
-    if (is_within(width(side), narrow)) add_vertices(side, places, all);
+    if (is_no_wider(side, narrow)) add_vertices(side, places, all);
     return all;
   }
 
  private:
   static bool is_within(const E& value, const E& most) { return sign_of(most - value) >= 0; }
-  /// Along the tangent.
-  E width(Side side) const {
-    const E first = element(place(vertex<Number>(pair_, side, 0)));
-    Interval<E> all{first, first};
-    for (int i = 1; i < pair_[side].polygon.count; ++i) {
-      all.widen_to(element(place(vertex<Number>(pair_, side, i))));
+  /// Whether the core takes no more than that along the tangent.
+  bool is_no_wider(Side side, const E& most) const {
+    std::optional<Interval<E>> all;
+    for (int i = 0; i < pair_[side].polygon.count; ++i) {
+      add(element(place(vertex<Number>(pair_, side, i))), all);
+      if (!is_within(all->high - all->low, most)) return false;
     }
-    return all.high - all.low;
+    return true;
   }
   void add_vertices(Side side, const Interval<E>& places, std::optional<Interval<E>>& all) const {
     for (int i = 0; i < pair_[side].polygon.count; ++i) {
       const Point<Number> corner = vertex<Number>(pair_, side, i);
       const E at = element(place(corner));
       if (!is_within(places.low, at) || !is_within(at, places.high)) continue;
-      const E value = element(height(corner));
-      if (!all) all = Interval<E>{value, value};
-      all->widen_to(value);
+      add(element(height(corner)), all);
     }
   }
   void add_heights(const Point<Number>& from, const Point<Number>& to, const Interval<E>& places,
@@ -122,9 +127,7 @@ class Frame {
     seen.narrow(places.low, places.high);
     if (seen.is_empty()) return;
     for (const E& at : {seen.low, seen.high}) {
-      const E value = element(height(from)) + times(at - element(place(from)), Number(rise / run));
-      if (!all) all = Interval<E>{value, value};
-      all->widen_to(value);
+      add(element(height(from)) + times(at - element(place(from)), Number(rise / run)), all);
     }
   }
 

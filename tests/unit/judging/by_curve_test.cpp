@@ -1,5 +1,6 @@
 #include "judging/by_curve.hpp"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -44,6 +45,24 @@ Declaration separating(ScalarType scalar) {
   declaration.scalar = scalar;
   declaration.claims = Claims::separation;
   return declaration;
+}
+
+/// A box whose top is at 0, and in it a wedge, 0.03 wide, that stands on its short edge, 11 below
+/// the top; its tip is 1 below.
+PairCase wedge_in_box() {
+  const std::array<Vector2<float>, 4> box{{{-20, -40}, {20, -40}, {20, 0}, {-20, 0}}};
+  const std::array<Vector2<float>, 3> wedge{{{-0.015F, -11}, {0.015F, -11}, {0, -1}}};
+  return {{make_polygon<float>(box, 0.0F), {}}, {make_polygon<float>(wedge, 0.0F), {}}};
+}
+
+/// The wedge's corner that is deepest, and its tip.
+Manifold<double> corner_and_tip() {
+  Manifold<double> manifold;
+  manifold.normal = {0, 1};
+  manifold.count = 2;
+  manifold.points[0] = {.position = {-0.015F, -11}, .depth = 11, .features = {}};
+  manifold.points[1] = {.position = {0, -1}, .depth = 1, .features = {}};
+  return manifold;
 }
 
 Penetration least_penetration(const exact::Truth& truth) {
@@ -120,4 +139,19 @@ TEST_CASE("a point that is off the surface by ten bounds is no witness") {
       REQUIRE(judged.witness == false);
     }
   });
+}
+
+TEST_CASE("what turned faces or a tolerance allow makes no core narrower than rounding") {
+  const exact::Truth truth(wedge_in_box());
+  Declaration turned = without_clips(make_clip().declaration);
+  turned.frame = RoundingFrame::world;
+  turned.normals = NormalsFrom::world_vertices;
+  CHECK(kind_of(truth, turned, corner_and_tip()) == Kind::witness);
+  Declaration tolerant = without_clips(make_clip64().declaration);
+  tolerant.tolerance.absolute = 0.41;
+  CHECK(kind_of(truth, tolerant, corner_and_tip()) == Kind::witness);
+  Manifold<double> corners = corner_and_tip();
+  corners.points[1] = {.position = {0.015F, -11}, .depth = 11, .features = {}};
+  CHECK(kind_of(truth, turned, corners) == Kind::none);
+  CHECK(kind_of(truth, tolerant, corners) == Kind::none);
 }
