@@ -44,3 +44,18 @@ TEST_CASE("every script says what it does with --help, and does nothing else") {
   }
   CHECK(asked > 30);
 }
+
+TEST_CASE("a script that needs arguments says so in one line where it has none") {
+  for (const std::string name : {"build_from_headers", "engines --new", "install_engine",
+                                 "libfuzzer", "new_engine", "pin_engine", "pin_engine --in",
+                                 "playground", "python_packages", "update_engine", "wheel"}) {
+    CAPTURE(name);
+    const Outcome outcome =
+        run_program({"bash", "-c", (source_dir() / "scripts").string() + "/" + name});
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.starts_with("scripts/"));
+    CHECK(outcome.err.find("unbound") == std::string::npos);
+    CHECK(std::ranges::count(outcome.err, '\n') == 1);
+  }
+}
