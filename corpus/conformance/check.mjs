@@ -192,25 +192,37 @@ function takes(declared, { a, b, round }) {
     vertices.length >= least && (vertices.length < 3 || takesRound || (!rounding && radius === 0)));
 }
 
+const isNumber = (x) => typeof x === "number" && Number.isFinite(Math.fround(x));
+const isVertex = (v) => Array.isArray(v) && v.length === 2 && v.every(isNumber);
+const isBody = ({ radius, vertices }) => isNumber(radius) && vertices.length > 0 && vertices.every(isVertex);
+const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
+
 function readCase(line, place) {
   try {
     const read = JSON.parse(line);
-    if (read.format === "manifuzz/conformance/1") return read;
+    const isRight = read.round === undefined ? Array.isArray(read.right) : isObject(read.round);
+    const isOne = typeof read.name === "string" && Array.isArray(read.empty) && isRight && isBody(read.a) && isBody(read.b);
+    if (read.format === "manifuzz/conformance/1" && isOne) return read;
   } catch {
     // It is no JSON.
   }
   throw new Error(`${place}: a case of manifuzz/conformance/1 is expected`);
 }
 
+const kOptions = "--cases FILE, --scalar float32|float64, --each";
+
 function check(words) {
   const end = [...words, "--"].indexOf("--");
   const [own, command] = [words.slice(0, end), words.slice(end + 1)];
+  if (own.some((word) => ["-h", "--help"].includes(word))) {
+    writeFileSync(1, `usage: check.mjs [${kOptions}] ANSWERS.jsonl | -- COMMAND...\n`);
+    return 0;
+  }
   const taken = (option) => own.includes(option) ? own.splice(own.indexOf(option), 2)[1] : undefined;
   const [file, chosen] = [taken("--cases"), taken("--scalar")];
   const each = own.includes("--each") && own.splice(own.indexOf("--each"), 1).length > 0;
   if (own.length + (command.length > 0) !== 1) {
-    throw new Error("either a file of answers or, after --, a command is expected; "
-      + "--cases FILE, --scalar float32|float64, --each");
+    throw new Error(`either a file of answers or, after --, a command is expected; ${kOptions}`);
   }
   const suite = file ?? fileURLToPath(new URL("cases.jsonl", import.meta.url));
   const all = linesOf(textOf(readFileSync(suite))).map(([i, line]) => {

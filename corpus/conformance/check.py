@@ -11,7 +11,7 @@ def as_floats(value):
         return {key: as_floats(one) for key, one in value.items()}
     if isinstance(value, list):
         return [as_floats(one) for one in value]
-    return value if isinstance(value, str) else struct.unpack("f", struct.pack("f", value))[0]
+    return value if isinstance(value, (str, bool)) else struct.unpack("f", struct.pack("f", value))[0]
 
 
 def refuse(why):
@@ -31,8 +31,7 @@ def off(p, q, low):
 
 
 def angle_chord(n, m):
-    """The distance of two directions on the unit circle, to the last digits where they are near; m is unit and
-    has its low parts behind it."""
+    """The distance of two directions on the unit circle, to the last digits; m is unit, its low parts behind it."""
     by = [n[0] - m[0] - m[2], n[1] - m[1] - m[3]]
     return 2 * math.sin(abs(math.atan2(cross(m, by), 1 + dot(m, by))) / 2)
 
@@ -236,13 +235,17 @@ def read_cases(path):
     cases = []
     for number, line in lines_of(Path(path).read_text(encoding="utf-8-sig")):
         try:
-            cases.append(json.loads(line))
-            if cases[-1]["format"] != "manifuzz/conformance/1":
-                refuse("another format")
-        except (ValueError, KeyError, TypeError):
+            case = json.loads(line, parse_constant=refuse)
+            case.update({side: as_floats({"position": [0, 0], "rotation": [1, 0], **case[side]}) for side in "ab"})
+            for body in (case["a"], case["b"]):
+                numbers = [body["radius"], *(c for x, y in body["vertices"] for c in (x, y))]
+                len(numbers) > 1 and all(type(x) is float and math.isfinite(x) for x in numbers) or refuse("no body")
+            kinds = [type(case[key]) for key in ("name", "empty", "round" if "round" in case else "right")]
+            case["format"] == "manifuzz/conformance/1" or refuse("another format")
+            kinds == [str, list, dict if "round" in case else list] or refuse("no truth")
+            cases.append(case)
+        except (ArithmeticError, LookupError, TypeError, ValueError, struct.error):
             refuse(f"{path}:{number}: a case of manifuzz/conformance/1 is expected")
-    for case in cases:
-        case.update({side: as_floats({"position": [0, 0], "rotation": [1, 0], **case[side]}) for side in "ab"})
     return cases
 
 
@@ -259,18 +262,16 @@ def check(options):
         give_one_point(cases)
     if len(answers) != len(cases):
         refuse(f"{len(answers)} answers; {len(cases)} are expected, a line a case")
-    wrong, unsupported, lines = 0, 0, []
+    wrong, unsupported, lines = 0, left - len(cases), []
     for case, answer in zip(cases, answers):
         is_asked = not (isinstance(answer, dict) and "unsupported" in answer)
         why = why_wrong(case, answer, scalar) if is_asked else None
         wrong, unsupported = wrong + (why is not None), unsupported + (not is_asked)
         if options.each or (why and wrong <= 10):
             lines.append(f"{case['name']}: {why or ('right' if is_asked else 'unsupported')}")
-    unsupported += left - len(cases)
     if unsupported == left:
         refuse(f"none of {left} cases was answered; nothing is checked")
-    result = "fail" if wrong else "pass"
-    lines.append(f"{result}: {wrong} of {len(cases)} wrong, {unsupported} unsupported, as {scalar}")
+    lines.append(f"{'fail' if wrong else 'pass'}: {wrong} of {len(cases)} wrong, {unsupported} unsupported, as {scalar}")
     with os.fdopen(os.dup(1), "w") as out:  # what cannot be written is an error here, not at the end
         out.write("\n".join(lines) + "\n")
     return 1 if wrong else 0

@@ -84,6 +84,21 @@ def test_an_engine_s_answers_in_the_world_are_judged_by_what_it_declares():
     assert judged["of_bound"]["depth"] > 1e10
 
 
+@pytest.mark.parametrize(
+    "counts, normals, positions, depths, error, said",
+    [
+        ([1, 2], [[1, 0]], [[[0, 0], [1, 1]]], [[1, 1]], ValueError, r"normals: shape \(1, 2\); \(2, 2\) is expected"),
+        ([2], [[1, 0]], [[[0, 0]]], [[1, 1]], ValueError, r"positions: shape \(1, 1, 2\); \(1, 2, 2\) is expected"),
+        ([2], [[1, 0]], [[[0, 0], [1, 1]]], 5.0, ValueError, r"depths: shape \(\); \(1, 2\) is expected"),
+        (2, [1, 0], [[0, 0], [1, 1]], [1, 1], ValueError, r"counts: shape \(\); \(1,\) is expected"),
+        ([1.9], [[1, 0]], [[[0, 0], [1, 1]]], [[1, 1]], TypeError, "counts: float64; integers are expected"),
+    ],
+)
+def test_answers_whose_shapes_do_not_fit_are_refused(counts, normals, positions, depths, error, said):
+    with pytest.raises(error, match=said):
+        manifuzz.manifolds(counts, normals, positions, depths)
+
+
 def test_midpoints_are_taken_for_what_they_are():
     answer = manifuzz.clip64(*TWO_BOXES.in_doubles())
     incident = 1 - 2.0 * answer["reference"]

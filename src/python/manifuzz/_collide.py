@@ -180,11 +180,20 @@ def batch(
 def manifolds(counts: ArrayLike, normals: ArrayLike, positions: ArrayLike, depths: ArrayLike) -> _Array:
     """Manifolds of an engine of your own, for `judge`.
 
-    counts: (n,), of points: 0, 1 or 2. normals: (n, 2), unit. positions: (n, 2, 2). depths: (n, 2), lengths >= 0.
+    counts: (n,), of points: 0, 1 or 2, or whether there is one. normals: (n, 2), unit. positions: (n, 2, 2). depths: (n, 2), lengths >= 0.
 
-    Returns `manifold64` of shape (n,). Raises ValueError where shapes do not fit.
+    Returns `manifold64` of shape (n,). Raises ValueError where shapes do not fit, TypeError where counts are no
+    integers.
     """
-    made = np.zeros(np.shape(counts), manifold64)
+    counts = np.asarray(counts)
+    if counts.size > 0 and counts.dtype.kind not in "biu":
+        raise TypeError(f"counts: {counts.dtype}; integers are expected")
+    n = counts.size
+    expected = (("counts", counts, (n,)), ("normals", normals, (n, 2)), ("positions", positions, (n, 2, 2)))
+    for name, given, shape in (*expected, ("depths", depths, (n, 2))):
+        if np.shape(given) != shape:
+            raise ValueError(f"{name}: shape {np.shape(given)}; {shape} is expected")
+    made = np.zeros(n, manifold64)
     made["count"] = counts
     made["normal"] = normals
     made["points"]["position"] = positions

@@ -274,16 +274,16 @@ TEST_CASE("bad input to a checker is one line on what is wrong, and status 2") {
   const TemporaryFolder folder;
   const std::string few = folder.write("few.jsonl", "{\"points\": []}\n");
   const std::string broken = folder.write("broken.jsonl", "{\"points\": []}\n{\n");
-  const std::string biased = folder.write(
-      "biased.jsonl", "{\"declaration\": {\"name\": \"mine\", \"tie_bias\": 0.0005}}\n");
+  const std::string biased = folder.write("bias.jsonl", R"({"declaration": {"tie_bias": 0.5}})");
   const std::string named = folder.write("named.jsonl", "{\"declaration\": \"mine\"}\n");
-  const std::string unsupported = folder.write("unsupported.jsonl", "{\"unsupported\": \"\"}\n");
+  const std::string unsupported = folder.write(
+      "unsupported.jsonl", R"({"unsupported": "", "format": "manifuzz/conformance/1"})");
   for (const Checker& checker : kCheckers) {
     if (!is_there(checker)) return;
     const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
         {{few}, "1 answers; 2000 are expected"},
         {{broken}, "broken.jsonl:2: no JSON"},
-        {{biased}, "declares tie_bias 0.0005"},
+        {{biased}, "declares tie_bias 0.5"},
         {{folder.path().string() + "/none"}, "none"},
         {{named}, "its declaration is no object"},
         {{unsupported, "--cases", unsupported}, "a case of manifuzz/conformance/1 is expected"},
