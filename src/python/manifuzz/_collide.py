@@ -180,7 +180,8 @@ def batch(
 def manifolds(counts: ArrayLike, normals: ArrayLike, positions: ArrayLike, depths: ArrayLike) -> _Array:
     """Manifolds of an engine of your own, for `judge`.
 
-    counts: (n,), of points: 0, 1 or 2, or whether there is one. normals: (n, 2), unit. positions: (n, 2, 2). depths: (n, 2), lengths >= 0.
+    counts: (n,), of points: 0, 1 or 2, or whether there is one. normals: (n, 2), unit. positions: (n, 2, 2).
+    depths: (n, 2), lengths >= 0.
 
     Returns `manifold64` of shape (n,). Raises ValueError where shapes do not fit, TypeError where counts are no
     integers.

@@ -274,7 +274,7 @@ TEST_CASE("bad input to a checker is one line on what is wrong, and status 2") {
   const TemporaryFolder folder;
   const std::string few = folder.write("few.jsonl", "{\"points\": []}\n");
   const std::string broken = folder.write("broken.jsonl", "{\"points\": []}\n{\n");
-  const std::string biased = folder.write("bias.jsonl", R"({"declaration": {"tie_bias": 0.5}})");
+  const std::string biased = folder.write("bias", R"({"declaration": {"tie_bias": 0.0005}})");
   const std::string named = folder.write("named.jsonl", "{\"declaration\": \"mine\"}\n");
   const std::string unsupported = folder.write(
       "unsupported.jsonl", R"({"unsupported": "", "format": "manifuzz/conformance/1"})");
@@ -283,7 +283,7 @@ TEST_CASE("bad input to a checker is one line on what is wrong, and status 2") {
     const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
         {{few}, "1 answers; 2000 are expected"},
         {{broken}, "broken.jsonl:2: no JSON"},
-        {{biased}, "declares tie_bias 0.5"},
+        {{biased}, "declares tie_bias 0.0005"},
         {{folder.path().string() + "/none"}, "none"},
         {{named}, "its declaration is no object"},
         {{unsupported, "--cases", unsupported}, "a case of manifuzz/conformance/1 is expected"},
