@@ -30,7 +30,7 @@ bool is_untouched(const ConvexPolygon<float>& shape, const ConvexPolygon<float>&
 }  // namespace
 
 std::optional<PairCase> bred(Random& random, const PairCase& parent, const PairCase& mate,
-                             double share_of_numbers) {
+                             const BreedShares& shares) {
   const auto any_of = [&](std::span<const Move> moves) {
     return moves[static_cast<std::size_t>(random.integer(0, static_cast<int>(moves.size()) - 1))];
   };
@@ -39,16 +39,16 @@ std::optional<PairCase> bred(Random& random, const PairCase& parent, const PairC
   while (more < 4 && random.chance(0.5)) ++more;
   for (; more > 0; --more) {
     const double kind = random.unit();
-    const double rest = (kind - share_of_numbers) / (1 - share_of_numbers);
-    const Move move = any_of(kind < share_of_numbers ? moves_of_numbers()
-                             : rest < 0.45           ? moves_of_shapes()
-                                                     : moves_of_places());
+    const double rest = (kind - shares.of_numbers) / (1 - shares.of_numbers);
+    const Move move = any_of(kind < shares.of_numbers ? moves_of_numbers()
+                             : rest < 0.45            ? moves_of_shapes()
+                                                      : moves_of_places());
     move.make(random, child, mate);
   }
   const KnownShapes known{is_untouched(child.a.polygon, parent.a.polygon),
                           is_untouched(child.b.polygon, parent.b.polygon)};
   // Counting a shape's faces from another one changes no contact, and fills cells by itself.
-  if (random.chance(0.25)) renumber_by_chance(random, child);
+  if (random.chance(shares.renumbered)) renumber_by_chance(random, child);
   return revalidated(child, known);
 }
 

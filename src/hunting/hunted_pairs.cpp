@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "hunting/breeding.hpp"
+#include "hunting/moves.hpp"
 
 namespace manifuzz {
 namespace {
@@ -75,11 +76,15 @@ PairCase HuntedPairs::born(CaseNumber number) const {
   const PairCase& parent = archive()[birth.parent].pair;
   const PairCase& mate = archive()[birth.mate].pair;
   // The worst are climbed in small steps.
-  const double share = birth.source == Source::worst ? 0.7 : 0.25;
+  const BreedShares shares{.of_numbers = birth.source == Source::worst ? 0.7 : 0.25,
+                           .renumbered = 1};
   constexpr int attempts = 8;
   for (int i = 0; i < attempts; ++i) {
-    std::optional<PairCase> child = bred(random, parent, mate, share);
-    if (!child || !is_in_use(*child)) continue;
+    std::optional<PairCase> child = bred(random, parent, mate, shares);
+    if (!child) continue;
+    // What is apart shows less than what touches.
+    if (random.chance(0.75)) close_gap(random, *child);
+    if (!is_in_use(*child)) continue;
     put_radius(context_, *child);
     if (is_taken(context_, *child)) return *child;
   }

@@ -137,12 +137,12 @@ void move_to_a_constant(Random& random, PairCase& pair) {
 /// What becomes of a case by moves, some of which are to a constant of the collider's.
 std::optional<PairCase> bred_with_constants(Random& random, const PairCase& parent,
                                             const PairCase& mate) {
-  constexpr double share_of_numbers = 0.5;
-  if (!random.chance(0.2)) return bred(random, parent, mate, share_of_numbers);
+  constexpr BreedShares shares{.of_numbers = 0.5};
+  if (!random.chance(0.2)) return bred(random, parent, mate, shares);
   PairCase child = parent;
   move_to_a_constant(random, child);
   const auto valid = revalidated(child);
-  return valid && random.chance(0.5) ? bred(random, *valid, mate, share_of_numbers) : valid;
+  return valid && random.chance(0.5) ? bred(random, *valid, mate, shares) : valid;
 }
 
 PairCase bred_or_drawn(Random& random, const PairCase& parent, const PairCase& mate) {

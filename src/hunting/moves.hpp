@@ -23,4 +23,7 @@ std::span<const Move> moves_of_shapes();
 /// and taken from the mate.
 std::span<const Move> moves_of_places();
 
+/// Where a face separates the shapes, brings them to contact or their middles together.
+void close_gap(Random& random, PairCase& pair);
+
 }  // namespace manifuzz

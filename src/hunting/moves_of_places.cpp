@@ -222,6 +222,19 @@ void take_place_from_mate(Random&, PairCase& pair, const PairCase& mate) {
   pair.b.pose = mate.b.pose;
 }
 
+/// Whether a face of either shape has the other in front of it, radii taken off.
+bool has_face_between(const PairCase& pair) {
+  for (const Side side : {Side::a, Side::b}) {
+    const Body& body = pair[side];
+    if (body.polygon.count < 2) continue;
+    for (int face = 0; face < body.polygon.count; ++face) {
+      const double gap = in_front_of(placed_face(body, face), pair[other(side)]);
+      if (gap > total_radius(pair)) return true;
+    }
+  }
+  return false;
+}
+
 constexpr Move kMovesOfPlaces[] = {
     {"turn", turn},
     {"parallel", make_parallel},
@@ -243,6 +256,12 @@ constexpr Move kMovesOfPlaces[] = {
 
 std::span<const Move> moves_of_places() {
   return kMovesOfPlaces;
+}
+
+void close_gap(Random& random, PairCase& pair) {
+  if (!has_face_between(pair)) return;
+  const auto close = random.chance(0.5) ? bring_together : bring_to_contact;
+  close(random, pair, pair);
 }
 
 }  // namespace manifuzz

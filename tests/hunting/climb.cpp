@@ -44,7 +44,7 @@ class Climber {
   Climbed run(std::uint64_t cases) {
     for (std::uint64_t i = 0; i < cases; ++i) {
       const PairCase& mate = drawn_[static_cast<std::size_t>(random_.integer(0, kDrawn - 1))];
-      const auto child = bred(random_, here_.pair, mate, kOfNumbers);
+      const auto child = bred(random_, here_.pair, mate, {.of_numbers = kOfNumbers});
       if (child && is_round(*child) == summit_.is_round && is_in_use(*child)) step_to(*child);
     }
     return climbed_;

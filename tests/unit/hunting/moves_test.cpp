@@ -65,7 +65,7 @@ TEST_CASE("a move is made again by the same random numbers") {
 TEST_CASE("what is bred has the normals of its vertices, whatever was left of its parent") {
   for (std::uint64_t number = 0; number < 20000; ++number) {
     Random random(3, "bred", number);
-    const auto child = bred(random, drawn(number), drawn(number + 1), 0.25);
+    const auto child = bred(random, drawn(number), drawn(number + 1), {});
     if (!child) continue;
     const auto valid = revalidated(*child);
     REQUIRE(valid);
@@ -93,4 +93,24 @@ TEST_CASE("laying a face on a face makes many contacts whose ends are cut") {
     if (valid && exact::Truth(*valid).compare_contact(0) <= 0) ++touching;
   }
   CHECK(touching > 100);
+}
+
+TEST_CASE("closing a gap makes most of what is apart touch, and leaves what overlaps") {
+  int apart = 0;
+  int closed = 0;
+  for (std::uint64_t number = 0; number < 400; ++number) {
+    Random random(3, "gap", number);
+    const PairCase pair = generate(9, *find_regime("generic"), number);
+    PairCase child = pair;
+    close_gap(random, child);
+    if (exact::Truth(pair).compare_contact(0) <= 0) {
+      REQUIRE(child == pair);
+      continue;
+    }
+    ++apart;
+    if (exact::Truth(child).compare_contact(0) <= 0) ++closed;
+  }
+  CAPTURE(apart, closed);
+  CHECK(apart > 40);
+  CHECK(2 * closed > apart);
 }
