@@ -7,7 +7,7 @@
 
 namespace manifuzz {
 
-/// How often a case is bred so, from 0 to 1.
+/// Shares from 0 to 1.
 struct BreedShares {
   double of_numbers = 0.25;  ///< moves of a single number, among all moves
   double renumbered = 0.25;  ///< cases whose faces are counted from another one

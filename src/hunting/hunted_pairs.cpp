@@ -75,7 +75,7 @@ PairCase HuntedPairs::born(CaseNumber number) const {
   Random random(seed_, kHunted.stream, first_ + number);
   const PairCase& parent = archive()[birth.parent].pair;
   const PairCase& mate = archive()[birth.mate].pair;
-  // The worst are climbed in small steps.
+  // The worst are climbed by single numbers, mostly.
   const BreedShares shares{.of_numbers = birth.source == Source::worst ? 0.7 : 0.25,
                            .renumbered = 1};
   constexpr int attempts = 8;

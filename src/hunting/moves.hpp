@@ -23,7 +23,8 @@ std::span<const Move> moves_of_shapes();
 /// and taken from the mate.
 std::span<const Move> moves_of_places();
 
-/// Where a face separates the shapes, brings them to contact or their middles together.
+/// Where a face separates the shapes, moves one along a face to contact, or their middles together
+/// or closer. Another face may still keep them apart.
 void close_gap(Random& random, PairCase& pair);
 
 }  // namespace manifuzz

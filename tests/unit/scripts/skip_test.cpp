@@ -25,7 +25,7 @@ TEST_CASE("skips", "[.asked]") {
 
 TEST_CASE("skips and fails", "[.asked]") {
   skip("it is asked to");
-  CHECK(is_anything_skipped == false);
+  for (int i = 0; i < kSkippedStatus; ++i) CHECK(is_anything_skipped == false);
 }
 
 TEST_CASE("a test that is skipped in part and fails has failed, and is not counted as skipped") {
