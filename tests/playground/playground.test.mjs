@@ -179,6 +179,9 @@ onPage('what is no case is refused in a line, and the case before stays', async 
   await open('{"a": 1', 'no JSON');
   await open('{"a": {"vertices": [[0,0],[1,"x"],[0,1]]}, "b": {"vertices": [[0,0],[1,0],[0,1]]}}', '$.a.vertices');
   await open('{"a": {"vertices": [[0,0],[0,1],[1,0]]}, "b": {"vertices": [[0,0],[1,0],[0,1]]}}', 'A: ');
+  await page.evaluate(() => { location.hash = '#a=m;0;0,0;1,0;0,0;1,0;0,1'; });
+  await page.locator('#trouble', {hasText: '$.b.vertices'}).waitFor();
+  assert.equal(await downloaded(page), before);
 });
 
 for (const name of ['A capsule on a box', 'A circle and a polygon with round corners', 'Two that planck and Box2D miss', 'Two octagons']) {

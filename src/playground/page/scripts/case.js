@@ -64,9 +64,9 @@ function bodyFromAddress(text, name) {
 // {pair, step}, or nothing where the address has no case.
 function caseFromAddress(hash) {
   const parts = new Map(hash.replace(/^#/, "").split("&").map((part) => part.split("=").map(decodeURIComponent)));
-  if (!parts.has("a") || !parts.has("b")) return null;
+  if (!parts.has("a") && !parts.has("b")) return null;
   const step = Number(parts.get("step") ?? LAST_STEP);
-  return { pair: { a: bodyFromAddress(parts.get("a"), "a"), b: bodyFromAddress(parts.get("b"), "b") },
+  return { pair: { a: bodyFromAddress(parts.get("a") ?? "", "a"), b: bodyFromAddress(parts.get("b") ?? "", "b") },
     step: STEP_NAMES[step] ? step : LAST_STEP };
 }
 
