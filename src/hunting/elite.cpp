@@ -26,6 +26,14 @@ void Elite::keep(std::size_t gauge, const Observation& observed, EntryId entry, 
   elite.erase(last);
 }
 
+std::vector<std::size_t> Elite::gauges_with_cases() const {
+  std::vector<std::size_t> gauges;
+  for (std::size_t gauge = 0; gauge < kGaugesMost; ++gauge) {
+    if (!of_gauges_[gauge].empty()) gauges.push_back(gauge);
+  }
+  return gauges;
+}
+
 std::vector<EntryId> Elite::of(std::size_t gauge) const {
   std::vector<EntryId> entries;
   for (const auto& [value, entry] : of_gauges_[gauge]) {

@@ -145,10 +145,10 @@ EntryId HuntedPairs::parent_from(Source source, Random& random,
       if (newest.empty()) break;
       return less_used(newest, random);
     case Source::worst: {
-      const int gauge = random.integer(0, static_cast<int>(aim().gauges) - 1);
-      const std::vector<EntryId> elite = elite_.of(static_cast<std::size_t>(gauge));
-      if (elite.empty()) break;
-      return less_used(elite, random);
+      const std::vector<std::size_t> gauges = elite_.gauges_with_cases();
+      if (gauges.empty()) break;
+      const int any = random.integer(0, static_cast<int>(gauges.size()) - 1);
+      return less_used(elite_.of(gauges[static_cast<std::size_t>(any)]), random);
     }
     default:
       break;
