@@ -176,7 +176,8 @@ struct Second {
   double depth = 0;          ///< of the end that is less deep, a world length
 };
 
-/// The angle's term is that of clips: the far end may move by s / cos along its edge.
+/// The angle's term is that of clips: the far end may move by s / cos along its edge, and anywhere
+/// along one that does not face the other.
 Second second_of(const AlongContact& along, const SeenEdge& a, const SeenEdge& b,
                  const Bounds& bounds, SecondPoint policy) {
   const DoubleDouble low = (b.low - a.low).high > 0 ? b.low : a.low;
@@ -186,10 +187,9 @@ Second second_of(const AlongContact& along, const SeenEdge& a, const SeenEdge& b
     return along.total_radius() + (a.height_at(place) - b.height_at(place)).high;
   };
   const double lesser = run > 0 ? std::min(depth_at(low), depth_at(high)) : 0;
-  const double steepest = std::max(std::min(a.cosine, b.cosine), 1e-3);
-  const double off = 2 * bounds.separation * (1 + 1 / steepest);
-  const double band = bounds.normal + bounds.incident_dot;
   const double cosine = std::min(a.cosine, b.cosine);
+  const double off = cosine > 0 ? 2 * bounds.separation * (1 + 1 / cosine) : INFINITY;
+  const double band = bounds.normal + bounds.incident_dot;
   const bool may_be_edges = cosine >= policy.least_cosine - band;
   const bool are_edges = cosine >= policy.least_cosine + band || policy.least_cosine <= 0;
   return {.is_allowed = may_be_edges && run >= -2 * off && lesser >= -off,
