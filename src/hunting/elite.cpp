@@ -3,8 +3,8 @@
 namespace manifuzz {
 namespace {
 
-/// So many of each gauge.
-constexpr std::size_t kElite = 64;
+/// So many of each gauge: of few, all soon lie on one slope.
+constexpr std::size_t kElite = 512;
 
 }  // namespace
 
@@ -26,20 +26,14 @@ void Elite::keep(std::size_t gauge, const Observation& observed, EntryId entry, 
   elite.erase(last);
 }
 
-std::vector<std::size_t> Elite::gauges_with_cases() const {
-  std::vector<std::size_t> gauges;
-  for (std::size_t gauge = 0; gauge < kGaugesMost; ++gauge) {
-    if (!of_gauges_[gauge].empty()) gauges.push_back(gauge);
+std::vector<std::vector<EntryId>> Elite::by_gauge() const {
+  std::vector<std::vector<EntryId>> all;
+  for (const auto& of_gauge : of_gauges_) {
+    if (of_gauge.empty()) continue;
+    std::vector<EntryId>& entries = all.emplace_back();
+    for (const auto& [value, entry] : of_gauge) entries.push_back(entry);
   }
-  return gauges;
-}
-
-std::vector<EntryId> Elite::of(std::size_t gauge) const {
-  std::vector<EntryId> entries;
-  for (const auto& [value, entry] : of_gauges_[gauge]) {
-    entries.push_back(entry);
-  }
-  return entries;
+  return all;
 }
 
 }  // namespace manifuzz

@@ -25,11 +25,9 @@ class Elite {
     return entry;
   }
 
-  /// In order. A collider that is right has no errors, so its gauge has none.
-  std::vector<std::size_t> gauges_with_cases() const;
-
-  /// The greatest first.
-  std::vector<EntryId> of(std::size_t gauge) const;
+  /// Of each gauge that has any, the greatest first. A collider that is right has no errors, so the
+  /// gauge of errors has none.
+  std::vector<std::vector<EntryId>> by_gauge() const;
 
  private:
   bool takes(std::size_t gauge, const Observation& observed) const;

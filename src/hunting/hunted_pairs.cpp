@@ -134,21 +134,20 @@ EntryId HuntedPairs::less_used(std::span<const EntryId> entries, Random& random)
   return archive()[one].uses <= archive()[other].uses ? one : other;
 }
 
-EntryId HuntedPairs::parent_from(Source source, Random& random,
-                                 const std::vector<EntryId>& newest) const {
+EntryId HuntedPairs::parent_from(Source source, Random& random, const Eligible& eligible) const {
   switch (source) {
     case Source::label_cell:
       return in_rare_cell(Archive::Set::labels, random);
     case Source::kind_cell:
       return in_rare_cell(Archive::Set::kinds, random);
     case Source::newest:
-      if (newest.empty()) break;
-      return less_used(newest, random);
+      if (eligible.newest.empty()) break;
+      return less_used(eligible.newest, random);
     case Source::worst: {
-      const std::vector<std::size_t> gauges = elite_.gauges_with_cases();
-      if (gauges.empty()) break;
-      const int any = random.integer(0, static_cast<int>(gauges.size()) - 1);
-      return less_used(elite_.of(gauges[static_cast<std::size_t>(any)]), random);
+      const auto& greatest = eligible.greatest;
+      if (greatest.empty()) break;
+      const int any = random.integer(0, static_cast<int>(greatest.size()) - 1);
+      return less_used(greatest[static_cast<std::size_t>(any)], random);
     }
     default:
       break;
@@ -158,7 +157,7 @@ EntryId HuntedPairs::parent_from(Source source, Random& random,
 
 HuntedPairs::Birth HuntedPairs::birth_of(CaseNumber number,
                                          const std::array<double, kSources>& shares,
-                                         const std::vector<EntryId>& newest) {
+                                         const Eligible& eligible) {
   if (number < breed_.founders.size()) return {Source::founded};
   Random random(seed_, "birth", first_ + number);
   double place = random.unit();
@@ -166,8 +165,8 @@ HuntedPairs::Birth HuntedPairs::birth_of(CaseNumber number,
   while (source + 1 < kSources && place >= shares[source]) place -= shares[source++];
   Birth birth{static_cast<Source>(source)};
   if (birth.source == Source::drawn || birth.source == Source::founded) return {Source::drawn};
-  birth.parent = parent_from(birth.source, random, newest);
-  birth.mate = parent_from(Source::pair_cell, random, newest);
+  birth.parent = parent_from(birth.source, random, eligible);
+  birth.mate = parent_from(Source::pair_cell, random, eligible);
   ++archive()[birth.parent].uses;
   archive().hold(birth.parent);
   archive().hold(birth.mate);
@@ -181,10 +180,10 @@ SharedQueue::Block HuntedPairs::begin_generation(CaseNumber most) {
       std::clamp(learnt_from / kShareOfCases, kShortestGeneration, kLongestGeneration);
   if (generations_ == 0) length += breed_.founders.size();
   const std::array<double, kSources> shares = shares_of_sources();
-  const std::vector<EntryId> newest = archive().newest(kNewest);
+  const Eligible eligible{archive().newest(kNewest), elite_.by_gauge()};
   births_.clear();
   length = std::min(length, most);
-  for (CaseNumber i = 0; i < length; ++i) births_.push_back(birth_of(begun + i, shares, newest));
+  for (CaseNumber i = 0; i < length; ++i) births_.push_back(birth_of(begun + i, shares, eligible));
   ++generations_;
   begin_part({begun, begun + length});
   return cases();

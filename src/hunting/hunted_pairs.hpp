@@ -63,13 +63,19 @@ class HuntedPairs : public ObservedPairs {
     double cases = 0;
   };
 
+  /// What parents are chosen from besides cells: as they are when a generation begins.
+  struct Eligible {
+    std::vector<EntryId> newest;
+    std::vector<std::vector<EntryId>> greatest;  ///< of each gauge that has any
+  };
+
   Birth birth_of(CaseNumber number, const std::array<double, kSources>& shares,
-                 const std::vector<EntryId>& newest);
+                 const Eligible& eligible);
   /// The case of the least visited of a few cells.
   EntryId in_rare_cell(Archive::Set set, Random& random) const;
   /// The less used of two.
   EntryId less_used(std::span<const EntryId> entries, Random& random) const;
-  EntryId parent_from(Source source, Random& random, const std::vector<EntryId>& newest) const;
+  EntryId parent_from(Source source, Random& random, const Eligible& eligible) const;
   std::array<double, kSources> shares_of_sources() const;
   PairCase born(CaseNumber number) const;
   PairCase drawn(CaseNumber number) const;

@@ -66,6 +66,12 @@ void turn_sign(Random& random, PairCase& pair, const PairCase&) {
   number = -number;
 }
 
+/// All lengths by up to 2 or down to 1/2: how much of a bound rounding takes depends on where
+/// between two powers of two they lie.
+void scale_within_an_octave(Random& random, PairCase& pair, const PairCase&) {
+  scale_lengths(pair, static_cast<float>(random.magnitude(-1, 1)));
+}
+
 constexpr Move kMovesOfNumbers[] = {
     {"step", step},
     {"share", change_by_a_share},
@@ -75,6 +81,7 @@ constexpr Move kMovesOfNumbers[] = {
     {"power_of_two", set_to_a_power_of_two},
     {"double", double_or_halve},
     {"sign", turn_sign},
+    {"octave", scale_within_an_octave},
 };
 
 }  // namespace
