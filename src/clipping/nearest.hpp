@@ -184,19 +184,17 @@ std::optional<NearestPlaces<Scalar>> places_at_any_face(const ConvexPolygon<Scal
   return nearest;
 }
 
-/// Calls `visit(places, separation)` for each corner of either core before a face of the other:
+/// Calls `visit(places, separation)` for each corner of `opposing` before a face of polygon `side`:
 /// the foot there and the corner, and how far the corner is in front, a length, negative behind it.
 template <class Scalar, class Visit>
-void for_each_before_face(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
-                          const Visit& visit) {
-  for_each_face(a, b, [&](Side side, const auto& polygon, int face_index, const auto& opposing) {
-    for (int j = 0; j < opposing.count; ++j) {
-      const Vector2<Scalar>& corner = opposing.vertices[j];
-      if (!is_before_face(polygon, face_index, corner)) continue;
-      visit(before_face<Scalar>(polygon, side, face_index, corner, j),
-            polygon.normals[face_index].dot(corner - polygon.vertices[face_index]));
-    }
-  });
+void for_each_before_face(const ConvexPolygon<Scalar>& polygon, Side side, int face_index,
+                          const ConvexPolygon<Scalar>& opposing, const Visit& visit) {
+  for (int j = 0; j < opposing.count; ++j) {
+    const Vector2<Scalar>& corner = opposing.vertices[j];
+    if (!is_before_face(polygon, face_index, corner)) continue;
+    visit(before_face<Scalar>(polygon, side, face_index, corner, j),
+          polygon.normals[face_index].dot(corner - polygon.vertices[face_index]));
+  }
 }
 
 /// How far the line between two vertices leads along an edge of either, and no farther than the
@@ -222,18 +220,23 @@ Scalar slip_along_edges(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scal
 /// Where two cores are nearest that are apart by more than rounding: at the nearest vertices, or
 /// at the nearest corner before a face unless it is farther away by more than these are off, or
 /// than `roundoff`, a length. No face is asked for its deepest vertex, since rounding, of placing
-/// the cores too, may take another for it.
+/// the cores too, may take another for it; but one that the other core lies behind by more than
+/// `roundoff` is of the far side, though rounding may put a corner in front of it.
 template <class Scalar>
 NearestPlaces<Scalar> nearest_of_all(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      Scalar roundoff) {
   NearestPlaces<Scalar> nearest = nearest_vertices(a, b);
   const Scalar off = std::min(slip_along_edges(a, b, nearest), roundoff);
   double least = std::sqrt(squared_length(nearest.apart)) + static_cast<double>(off);
-  for_each_before_face(a, b, [&](const NearestPlaces<Scalar>& places, Scalar separation) {
+  const auto take_nearer = [&](const NearestPlaces<Scalar>& places, Scalar separation) {
     const auto wide = static_cast<double>(separation);
     if (wide <= 0 || wide >= least) return;
     least = wide;
     nearest = places;
+  };
+  for_each_face(a, b, [&](Side side, const auto& polygon, int face_index, const auto& opposing) {
+    if (face_separation(polygon, face_index, opposing).separation < -roundoff) return;
+    for_each_before_face(polygon, side, face_index, opposing, take_nearer);
   });
   return nearest;
 }
@@ -284,9 +287,12 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
 template <class Scalar>
 double squared_between_outlines(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
   double least = squared_length(nearest_vertices(a, b).apart);
-  for_each_before_face(a, b, [&](const NearestPlaces<Scalar>&, Scalar separation) {
-    const auto wide = static_cast<double>(separation);
-    least = std::min(least, wide * wide);
+  for_each_face(a, b, [&](Side side, const auto& polygon, int face_index, const auto& opposing) {
+    for_each_before_face(polygon, side, face_index, opposing,
+                         [&](const NearestPlaces<Scalar>&, Scalar separation) {
+                           const auto wide = static_cast<double>(separation);
+                           least = std::min(least, wide * wide);
+                         });
   });
   return least;
 }
