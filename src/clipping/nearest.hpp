@@ -220,8 +220,8 @@ Scalar slip_along_edges(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scal
 /// Where two cores are nearest that are apart by more than rounding: at the nearest vertices, or
 /// at the nearest corner before a face unless it is farther away by more than these are off, or
 /// than `roundoff`, a length. No face is asked for its deepest vertex, since rounding, of placing
-/// the cores too, may take another for it; but one that the other core lies behind by more than
-/// `roundoff` is of the far side, though rounding may put a corner in front of it.
+/// the cores too, may take another for it. A face is passed over where the other core lies behind
+/// it by more than `roundoff`: it is on the far side, and rounding has put a corner before it.
 template <class Scalar>
 NearestPlaces<Scalar> nearest_of_all(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      Scalar roundoff) {

@@ -13,6 +13,7 @@
 #include "exchange/json.hpp"
 #include "judging/curve_answer.hpp"
 #include "judging/round_contact.hpp"
+#include "judging/second_point.hpp"
 
 namespace manifuzz {
 namespace {

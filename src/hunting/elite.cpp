@@ -3,7 +3,7 @@
 namespace manifuzz {
 namespace {
 
-/// So many of each gauge: of few, all soon lie on one slope.
+/// How many cases of each gauge are kept. Of few, all soon descend from one case.
 constexpr std::size_t kElite = 512;
 
 }  // namespace

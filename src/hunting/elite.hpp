@@ -25,8 +25,8 @@ class Elite {
     return entry;
   }
 
-  /// Of each gauge that has any, the greatest first. A collider that is right has no errors, so the
-  /// gauge of errors has none.
+  /// The cases of each gauge that has any, the greatest first. A collider that is right has no
+  /// errors, so the gauge of errors has no cases.
   std::vector<std::vector<EntryId>> by_gauge() const;
 
  private:

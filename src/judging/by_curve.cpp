@@ -4,6 +4,7 @@
 
 #include "judging/curve_answer.hpp"
 #include "judging/extent.hpp"
+#include "judging/second_point.hpp"
 
 namespace manifuzz {
 namespace {

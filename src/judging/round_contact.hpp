@@ -7,8 +7,8 @@
 
 namespace manifuzz {
 
-// What is right of round shapes beyond the penetration curve: their normal where cores are apart,
-// and the second of two points. bounds.md derives the bounds.
+// What is right of round shapes beyond the penetration curve: their normal where cores are apart.
+// bounds.md derives the bounds.
 
 /// How a normal stands to the direction in which cores that are apart are nearest.
 class NearestNormal {
@@ -50,12 +50,5 @@ class NearestNormal {
   bool is_inside_face_ = false;
   exact::Point<exact::DoubleDouble> direction_{};  ///< in the world, unit
 };
-
-/// How the second point of a manifold of round shapes falls short: kind `count` where it is missing
-/// or there is one too many, `extent` where it spans less of the contact than the nearest right
-/// clip; none where it is right. Of an answer whose normal and points are right by the curve.
-std::optional<Mismatch> second_point_mismatch(const exact::Truth& truth,
-                                              const Declaration& declaration, const Bounds& bounds,
-                                              const Manifold<double>& manifold);
 
 }  // namespace manifuzz

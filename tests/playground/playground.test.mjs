@@ -181,6 +181,8 @@ onPage('what is no case is refused in a line, and the case before stays', async 
   await open('{"a": {"vertices": [[0,0],[0,1],[1,0]]}, "b": {"vertices": [[0,0],[1,0],[0,1]]}}', 'A: ');
   await page.evaluate(() => { location.hash = '#a=m;0;0,0;1,0;0,0;1,0;0,1'; });
   await page.locator('#trouble', {hasText: '$.b.vertices'}).waitFor();
+  await page.evaluate(() => { location.hash = '#b=m;0;0,0;1,0;0,0;1,0;0,1'; });
+  await page.locator('#trouble', {hasText: '$.a.vertices'}).waitFor();
   assert.equal(await downloaded(page), before);
 });
 

@@ -119,3 +119,19 @@ TEST_CASE("the greatest are those of gauges that have any, the greatest first") 
   REQUIRE(added.size() == 3);
   CHECK(elite.by_gauge() == std::vector<std::vector<EntryId>>{{added[1], added[0], added[2]}});
 }
+
+TEST_CASE("the greatest of a gauge are 512, and a case that is no longer one of them is let go") {
+  Archive archive;
+  Elite elite(aim_at({}));
+  Observation right = observed(3, Condition::depth, 3);
+  constexpr int cases = 600;
+  for (int i = 1; i <= cases; ++i) {
+    right[Gauge::depth_share] = static_cast<double>(i) / cases;
+    elite.add(right, {}, archive, [&] { return numbered(i); });
+  }
+  const std::vector<EntryId> greatest = elite.by_gauge().at(0);
+  CHECK(greatest.size() == 512);
+  CHECK(archive[greatest.front()].pair == numbered(cases));
+  CHECK(archive[greatest.back()].pair == numbered(cases - 511));
+  CHECK(archive.all().size() == 512);
+}
