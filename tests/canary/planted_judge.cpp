@@ -21,6 +21,7 @@
 #include "judging/ledger.cpp"
 #include "judging/manifold_error.cpp"
 #include "judging/round_contact.cpp"
+#include "judging/second_point.cpp"
 #include "judging/turned_faces.cpp"
 #include "judging/unjudged.cpp"
 #include "judging/used_shapes.cpp"
