@@ -94,9 +94,9 @@ struct Second {
   double depth = 0;          ///< of the end that is less deep, a world length
 };
 
-/// How steep an edge on the other one is, the cosine of the angle between them, for what rounding
-/// may move a far end by. One that all but stands on the other ends at its vertices, unless an end
-/// of the other is within `reach` of it, a world length: that one's side plane may cut it anywhere.
+/// The cosine by which rounding may move a far end along the steeper of two edges. An edge that
+/// stands on the other, or nearly so, ends at its own vertices, unless an end of the other is
+/// within `reach` of it, a world length: the side plane there may cut it anywhere.
 double steepness(const SeenEdge& a, const SeenEdge& b, double reach) {
   constexpr double standing = 1e-3;
   const SeenEdge& steep = a.cosine < b.cosine ? a : b;
@@ -109,8 +109,8 @@ double steepness(const SeenEdge& a, const SeenEdge& b, double reach) {
   return std::max(steep.cosine, standing);
 }
 
-/// What a clip of both edges gives: its far end is off by up to s + s / cos, cos being how steep
-/// one edge is on the other, in what either is seen to be.
+/// The second point that a clip of two edges gives. Each edge moves its far end by up to
+/// s (1 + 1 / cos).
 Second second_of(const AlongContact& along, const SeenEdge& a, const SeenEdge& b,
                  const Bounds& bounds, SecondPoint policy) {
   const DoubleDouble low = (b.low - a.low).high > 0 ? b.low : a.low;
