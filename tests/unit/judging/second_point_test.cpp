@@ -1,7 +1,7 @@
 #include "judging/second_point.hpp"
 
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
