@@ -10,6 +10,7 @@
 
 #include "base/text.hpp"
 #include "conformance/widened.hpp"
+#include "exact/fine_point.hpp"
 #include "exchange/json.hpp"
 #include "judging/curve_answer.hpp"
 #include "judging/round_contact.hpp"
@@ -137,8 +138,7 @@ void append_key_of(std::string& out, std::string_view key) {
 }
 
 /// Each once, as two figures and what they lost where they were written.
-void append_directions(std::string& out,
-                       const std::vector<exact::Point<exact::DoubleDouble>>& directions) {
+void append_directions(std::string& out, const std::vector<exact::FinePoint>& directions) {
   std::vector<std::string> texts;
   for (const auto& [x, y] : directions) {
     std::string text = "[";

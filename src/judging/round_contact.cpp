@@ -4,17 +4,16 @@
 #include <cmath>
 #include <vector>
 
-#include "judging/world_places.hpp"
-
 namespace manifuzz {
 namespace {
 
 using exact::DoubleDouble;
 using exact::FaceOf;
+using exact::FinePoint;
 
 /// A vertex as a face of the other core sees it.
 struct VertexBeforeFace {
-  WorldPlace at;      ///< from where the face begins
+  FinePoint at;       ///< from where the face begins
   double height = 0;  ///< in front of the face, a world length
 };
 
@@ -22,13 +21,13 @@ struct VertexBeforeFace {
 struct BeforeFace {
   BeforeFace(const exact::StoredPair& pair, FaceOf face)
       : along(unit_of(exact::direction<DoubleDouble>(pair, face))) {
-    const WorldPlace out{along.y, -along.x};
+    const FinePoint out{along.y, -along.x};
     const auto from = exact::vertex<DoubleDouble>(pair, face.side, face.index);
     const int next = pair[face.side].polygon.next(face.index);
     end = exact::vertex<DoubleDouble>(pair, face.side, next) - from;
     const Side opposing = other(face.side);
     for (int j = 0; j < pair[opposing].polygon.count; ++j) {
-      const WorldPlace at = exact::vertex<DoubleDouble>(pair, opposing, j) - from;
+      const FinePoint at = exact::vertex<DoubleDouble>(pair, opposing, j) - from;
       vertices.push_back({at, dot(out, at).high});
     }
   }
@@ -37,8 +36,8 @@ struct BeforeFace {
     return std::ranges::min(vertices, {}, &VertexBeforeFace::height).height;
   }
 
-  WorldPlace along;  ///< the face's direction, unit
-  WorldPlace end;    ///< from where the face begins
+  FinePoint along;  ///< the face's direction, unit
+  FinePoint end;    ///< from where the face begins
   std::vector<VertexBeforeFace> vertices;
 };
 
@@ -66,11 +65,11 @@ bool is_as_near(const BeforeFace& seen, double least, double separation) {
 /// Whether two vertices would be the nearest of all if each vertex moved by up to `separation`, a
 /// world length: each is, within twice that, the farthest of its core towards the other.
 bool are_as_near(const exact::StoredPair& pair, int of_a, int of_b, double separation) {
-  const WorldPlace from = exact::vertex<DoubleDouble>(pair, Side::a, of_a);
-  const WorldPlace to = exact::vertex<DoubleDouble>(pair, Side::b, of_b);
-  const WorldPlace towards_b = unit_of(to - from);
+  const FinePoint from = exact::vertex<DoubleDouble>(pair, Side::a, of_a);
+  const FinePoint to = exact::vertex<DoubleDouble>(pair, Side::b, of_b);
+  const FinePoint towards_b = unit_of(to - from);
   const auto is_behind = [&](Side side, int k) {
-    const WorldPlace at = exact::vertex<DoubleDouble>(pair, side, k);
+    const FinePoint at = exact::vertex<DoubleDouble>(pair, side, k);
     const DoubleDouble ahead =
         side == Side::a ? dot(towards_b, at - from) : dot(towards_b, to - at);
     return ahead.high <= 2 * separation;
@@ -105,8 +104,8 @@ NearestNormal::NearestNormal(const exact::Truth& truth, const exact::Penetration
       is_in_front_of_inside({pair, curve.face()}, bound_of_separation_, bound_of_separation_);
 }
 
-double NearestNormal::off(const Vector2<double>& normal, const WorldPlace& right) const {
-  const WorldPlace by = in_world(truth_->stored(), normal) - right;
+double NearestNormal::off(const Vector2<double>& normal, const FinePoint& right) const {
+  const FinePoint by = in_world(truth_->stored(), normal) - right;
   return std::sqrt(dot(by, by).high);
 }
 
@@ -116,12 +115,12 @@ bool NearestNormal::is_near(const Vector2<double>& normal) const {
 
 double NearestNormal::error(const Vector2<double>& normal) const {
   double least = off(normal, direction_);
-  for (const WorldPlace& right : as_near()) least = std::min(least, off(normal, right));
+  for (const FinePoint& right : as_near()) least = std::min(least, off(normal, right));
   return least;
 }
 
-std::vector<WorldPlace> NearestNormal::as_near() const {
-  std::vector<WorldPlace> directions;
+std::vector<FinePoint> NearestNormal::as_near() const {
+  std::vector<FinePoint> directions;
   if (distance_ <= 2 * bound_of_separation_) return directions;
   const exact::StoredPair& pair = truth_->stored();
   for (const FaceOf face : exact::all_faces(pair)) {
@@ -132,16 +131,16 @@ std::vector<WorldPlace> NearestNormal::as_near() const {
   for (int i = 0; i < pair.a.polygon.count; ++i) {
     for (int j = 0; j < pair.b.polygon.count; ++j) {
       if (!are_as_near(pair, i, j, bound_of_separation_)) continue;
-      const WorldPlace between = exact::vertex<DoubleDouble>(pair, Side::b, j) -
-                                 exact::vertex<DoubleDouble>(pair, Side::a, i);
+      const FinePoint between = exact::vertex<DoubleDouble>(pair, Side::b, j) -
+                                exact::vertex<DoubleDouble>(pair, Side::a, i);
       directions.push_back(unit_of(between));
     }
   }
   return directions;
 }
 
-std::vector<WorldPlace> NearestNormal::directions() const {
-  std::vector<WorldPlace> all = as_near();
+std::vector<FinePoint> NearestNormal::directions() const {
+  std::vector<FinePoint> all = as_near();
   all.insert(all.begin(), direction_);
   return all;
 }

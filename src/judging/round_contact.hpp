@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "exact/fine_point.hpp"
 #include "judging/by_curve.hpp"
 
 namespace manifuzz {
@@ -33,14 +34,14 @@ class NearestNormal {
   double error(const Vector2<double>& normal) const;
   /// Each n* that `error` knows, unit, in the world, some of them twice. Only where a normal may be
   /// near one.
-  std::vector<exact::Point<exact::DoubleDouble>> directions() const;
+  std::vector<exact::FinePoint> directions() const;
   /// How much of that is rounding.
   double bound() const;
 
  private:
-  double off(const Vector2<double>& normal, const exact::Point<exact::DoubleDouble>& right) const;
+  double off(const Vector2<double>& normal, const exact::FinePoint& right) const;
   /// The directions of faces and vertices that rounding cannot tell from the nearest.
-  std::vector<exact::Point<exact::DoubleDouble>> as_near() const;
+  std::vector<exact::FinePoint> as_near() const;
 
   const exact::Truth* truth_;
   double bound_of_separation_;
@@ -48,7 +49,7 @@ class NearestNormal {
   bool is_apart_;
   double distance_ = 0;
   bool is_inside_face_ = false;
-  exact::Point<exact::DoubleDouble> direction_{};  ///< in the world, unit
+  exact::FinePoint direction_{};  ///< in the world, unit
 };
 
 }  // namespace manifuzz

@@ -4,17 +4,14 @@
 #include <cmath>
 #include <vector>
 
-#include "judging/world_places.hpp"
+#include "exact/fine_point.hpp"
 
 namespace manifuzz {
 namespace {
 
 using exact::DoubleDouble;
 using exact::FaceOf;
-
-DoubleDouble cross(const WorldPlace& p, const WorldPlace& q) {
-  return p.x * q.y - p.y * q.x;
-}
+using exact::FinePoint;
 
 /// An edge as it is seen along a contact's normal.
 struct SeenEdge {
@@ -37,7 +34,7 @@ class AlongContact {
   AlongContact(const exact::Truth& truth, const Bounds& bounds, const Vector2<double>& normal)
       : pair_(truth.stored()), bounds_(bounds), normal_(in_world(pair_, normal)) {}
 
-  DoubleDouble place(const WorldPlace& p) const { return cross(normal_, p); }
+  DoubleDouble place(const FinePoint& p) const { return cross(normal_, p); }
   DoubleDouble place(const Vector2<double>& local) const {
     return place(turned(pair_.a, exact::widen<DoubleDouble>(local)));
   }
@@ -82,7 +79,7 @@ class AlongContact {
 
   const exact::StoredPair& pair_;
   const Bounds& bounds_;
-  WorldPlace normal_;
+  FinePoint normal_;
 };
 
 /// What the clip of two edges keeps besides the deepest point.

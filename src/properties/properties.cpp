@@ -115,8 +115,8 @@ Vector2<double> from_b_to_a(const PairCase& pair, const Vector2<double>& local_o
   using exact::DoubleDouble;
   const auto apart = exact::widen<DoubleDouble>(pair.b.pose.position) -
                      exact::widen<DoubleDouble>(pair.a.pose.position);
-  const exact::Point<DoubleDouble> local{local_of_b.x(), local_of_b.y()};
-  const auto from_a = exact::turned_back(pair.a, exact::turned(pair.b, local) + apart);
+  const auto from_a = exact::turned_back(
+      pair.a, exact::turned(pair.b, exact::widen<DoubleDouble>(local_of_b)) + apart);
   const DoubleDouble scale = exact::scale<DoubleDouble>(pair.a);
   return {exact::leading(from_a.x / scale), exact::leading(from_a.y / scale)};
 }

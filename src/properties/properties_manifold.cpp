@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "exact/fine_point.hpp"
 #include "judging/bound_shares.hpp"
 #include "judging/judge.hpp"
 #include "properties/round_answer.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 using exact::DoubleDouble;
 using exact::FaceOf;
-using Point = exact::Point<DoubleDouble>;
+using exact::FinePoint;
 
 double largest_depth(const Manifold<double>& manifold) {
   double largest = 0;
@@ -31,25 +32,21 @@ double widest_depth_bound(const Admissible& right) {
   return widest;
 }
 
-Point scaled(const DoubleDouble& factor, const Point& p) {
+FinePoint scaled(const DoubleDouble& factor, const FinePoint& p) {
   return {factor * p.x, factor * p.y};
 }
 
-Point unit(const Point& p) {
-  return scaled(DoubleDouble(1) / sqrt(dot(p, p)), p);
-}
-
-double length(const Point& p) {
+double length(const FinePoint& p) {
   return leading(sqrt(dot(p, p)));
 }
 
 /// The sine of the angle from p to q, both unit.
-double sine(const Point& p, const Point& q) {
-  return leading(p.x * q.y - p.y * q.x);
+double sine(const FinePoint& p, const FinePoint& q) {
+  return leading(cross(p, q));
 }
 
-double distance_to_segment(const Point& p, const Point& from, const Point& to) {
-  const Point along = to - from;
+double distance_to_segment(const FinePoint& p, const FinePoint& from, const FinePoint& to) {
+  const FinePoint along = to - from;
   const DoubleDouble share = dot(p - from, along) / dot(along, along);
   if (leading(share) <= 0) return length(p - from);
   if (leading(share) >= 1) return length(p - to);
@@ -57,20 +54,21 @@ double distance_to_segment(const Point& p, const Point& from, const Point& to) {
 }
 
 /// A vector of A's frame in world directions, as every `exact::vertex` is.
-Point placed(const PairCase& pair, const Vector2<double>& local) {
-  return exact::turned(pair.a, Point{local.x(), local.y()});
+FinePoint placed(const PairCase& pair, const Vector2<double>& local) {
+  return exact::turned(pair.a, exact::widen<DoubleDouble>(local));
 }
 
 /// Whether a point lies between a face's side planes, which stand the total radius outside its
 /// ends, and no farther in front of it than the total radius.
-PropertyOutcome behind_face(const PairCase& pair, FaceOf face, const Point& at, double bound) {
-  const Point from_corner = at - exact::vertex<DoubleDouble>(pair, face.side, face.index);
-  const Point direction = exact::direction<DoubleDouble>(pair, face);
-  const double along = leading(dot(unit(direction), from_corner));
+PropertyOutcome behind_face(const PairCase& pair, FaceOf face, const FinePoint& at, double bound) {
+  const FinePoint from_corner = at - exact::vertex<DoubleDouble>(pair, face.side, face.index);
+  const FinePoint direction = exact::direction<DoubleDouble>(pair, face);
+  const double along = leading(dot(unit_of(direction), from_corner));
   const double outside = std::max(-along, along - length(direction)) - total_radius(pair);
   if (!(outside <= bound)) return fails("a point outside the slab", outside / size(pair));
-  const double front = leading(dot(unit(exact::outward<DoubleDouble>(pair, face)), from_corner)) -
-                       total_radius(pair);
+  const double front =
+      leading(dot(unit_of(exact::outward<DoubleDouble>(pair, face)), from_corner)) -
+      total_radius(pair);
   if (!(front <= bound)) return fails("a point in front of the reference face", front / size(pair));
   return holds(taken_of(bound, std::max(outside, front)));
 }
@@ -84,7 +82,7 @@ PropertyOutcome point_in_place(const PairCase& pair, const Manifold<double>& man
   const auto vertex = [&](Side side, int index) {
     return exact::vertex<DoubleDouble>(pair, side, index);
   };
-  const Point at = placed(pair, point.position);
+  const FinePoint at = placed(pair, point.position);
   const double unit_length = size(pair);
   if (of_reference.kind == of_incident.kind) {
     return fails("features that are neither end nor crossing", 0);
@@ -101,7 +99,7 @@ PropertyOutcome point_in_place(const PairCase& pair, const Manifold<double>& man
                                          vertex(incident, pair[incident].polygon.next(edge)));
   if (!(off <= bound)) return fails("a point off the incident edge", off / unit_length);
   // The crossing lies on the side plane through the reference vertex, the total radius outside it.
-  const Point normal = unit(placed(pair, manifold.normal));
+  const FinePoint normal = unit_of(placed(pair, manifold.normal));
   const double aside = std::abs(sine(normal, at - vertex(reference, of_reference.index)));
   const double off_plane = std::abs(aside - total_radius(pair));
   if (!(off_plane <= 2 * bound)) {
@@ -114,7 +112,7 @@ PropertyOutcome point_in_place(const PairCase& pair, const Manifold<double>& man
 double along_reference(const PairCase& pair, const Manifold<double>& manifold) {
   if (manifold.count < 2) return 0;
   const Vector2<double> apart = manifold.points[1].position - manifold.points[0].position;
-  const double forward = sine(unit(placed(pair, manifold.normal)), placed(pair, apart));
+  const double forward = sine(unit_of(placed(pair, manifold.normal)), placed(pair, apart));
   return manifold.reference == Side::a ? forward : -forward;
 }
 
@@ -126,7 +124,7 @@ bool farthest_vertices_decided(const PairCase& pair, const Admissible& right) {
   const exact::Clip& only = *right.candidates.front();
   const FaceOf face = only.reference;
   const Side opposing = other(face.side);
-  const Point normal = unit(exact::outward<DoubleDouble>(pair, face));
+  const FinePoint normal = unit_of(exact::outward<DoubleDouble>(pair, face));
   const double clear_height = 2 * right.bounds.separation;
   const double clear_tilt = 2 * right.bounds.normal;
 
@@ -136,7 +134,7 @@ bool farthest_vertices_decided(const PairCase& pair, const Admissible& right) {
                                    exact::vertex<DoubleDouble>(pair, side, w)));
   };
   const auto tilt = [&](FaceOf edge) {
-    return std::abs(sine(unit(exact::outward<DoubleDouble>(pair, edge)), normal));
+    return std::abs(sine(unit_of(exact::outward<DoubleDouble>(pair, edge)), normal));
   };
   const auto tilted = [&](FaceOf edge) { return tilt(edge) > clear_tilt; };
   const ConvexPolygon<float>& reference = pair[face.side].polygon;

@@ -7,18 +7,10 @@ namespace manifuzz {
 namespace {
 
 using exact::DoubleDouble;
+using exact::FinePoint;
 
-FinePoint fine(const Vector2<double>& v) {
-  return {DoubleDouble(v.x()), DoubleDouble(v.y())};
-}
-
-DoubleDouble fine_cross(const FinePoint& p, const FinePoint& q) {
-  return p.x * q.y - p.y * q.x;
-}
-
-Vector2<double> unit_of(const FinePoint& p) {
-  const DoubleDouble length = sqrt(dot(p, p));
-  return {(p.x / length).high, (p.y / length).high};
+Vector2<double> rounded_unit(const FinePoint& p) {
+  return rounded(unit_of(p));
 }
 
 /// A normal of the world as a side carries it, as long as the rotations make it.
@@ -33,7 +25,7 @@ double apart_of_units(const Vector2<double>& p, const Vector2<double>& q) {
 }  // namespace
 
 FinePoint placed_anchor(const PairCase& pair, Side side, const Vector2<double>& anchor) {
-  const FinePoint at = turned(pair[side], fine(anchor));
+  const FinePoint at = turned(pair[side], exact::widen<DoubleDouble>(anchor));
   if (side == Side::a) return at;
   return at + (exact::widen<DoubleDouble>(pair.b.pose.position) -
                exact::widen<DoubleDouble>(pair.a.pose.position));
@@ -49,41 +41,42 @@ AnchorsNow anchors_now(const PairCase& pair, const KeptPoint& point,
                        const Vector2<double>& normal) {
   const FinePoint to_a =
       placed_anchor(pair, Side::a, point.anchor_a) - placed_anchor(pair, Side::b, point.anchor_b);
-  const FinePoint n = fine(normal);
-  return {dot(to_a, n).high, std::abs(fine_cross(to_a, n).high)};
+  const FinePoint n = exact::widen<DoubleDouble>(normal);
+  return {dot(to_a, n).high, std::abs(cross(to_a, n).high)};
 }
 
 double place_along(const PairCase& pair, Side side, const Vector2<double>& anchor,
                    const Vector2<double>& direction) {
-  return dot(placed_anchor(pair, side, anchor), fine(direction)).high;
+  return dot(placed_anchor(pair, side, anchor), exact::widen<DoubleDouble>(direction)).high;
 }
 
 Vector2<double> carried(const PairCase& then, const PairCase& now, Side by,
                         const Vector2<double>& normal) {
-  return unit_of(carried_by(then, now, by, fine(normal)));
+  return rounded_unit(carried_by(then, now, by, exact::widen<DoubleDouble>(normal)));
 }
 
 double off_carried(const PairCase& then, const PairCase& now, TravelsWith by,
                    const Vector2<double>& normal_then, const Vector2<double>& normal_now) {
-  const FinePoint by_a = carried_by(then, now, Side::a, fine(normal_then));
-  const FinePoint by_b = carried_by(then, now, Side::b, fine(normal_then));
-  const FinePoint n = fine(normal_now);
-  const Vector2<double> now_unit = unit_of(n);
-  if (by == TravelsWith::a) return apart_of_units(now_unit, unit_of(by_a));
-  if (by == TravelsWith::b) return apart_of_units(now_unit, unit_of(by_b));
-  const double turn = fine_cross(by_a, by_b).high;
-  const double from_a = fine_cross(by_a, n).high;
-  const double to_b = fine_cross(n, by_b).high;
+  const FinePoint by_a = carried_by(then, now, Side::a, exact::widen<DoubleDouble>(normal_then));
+  const FinePoint by_b = carried_by(then, now, Side::b, exact::widen<DoubleDouble>(normal_then));
+  const FinePoint n = exact::widen<DoubleDouble>(normal_now);
+  const Vector2<double> now_unit = rounded_unit(n);
+  if (by == TravelsWith::a) return apart_of_units(now_unit, rounded_unit(by_a));
+  if (by == TravelsWith::b) return apart_of_units(now_unit, rounded_unit(by_b));
+  const double turn = cross(by_a, by_b).high;
+  const double from_a = cross(by_a, n).high;
+  const double to_b = cross(n, by_b).high;
   const bool is_between = turn > 0 ? from_a >= 0 && to_b >= 0 : from_a <= 0 && to_b <= 0;
   if (turn != 0 && is_between) return 0;
-  return std::min(apart_of_units(now_unit, unit_of(by_a)), apart_of_units(now_unit, unit_of(by_b)));
+  return std::min(apart_of_units(now_unit, rounded_unit(by_a)),
+                  apart_of_units(now_unit, rounded_unit(by_b)));
 }
 
 double turned_since(const PairCase& then, const PairCase& now) {
   const FinePoint x{DoubleDouble(1), DoubleDouble(0)};
   const FinePoint by_a = carried_by(then, now, Side::a, x);
   const FinePoint by_b = carried_by(then, now, Side::b, x);
-  return std::abs(std::atan2(fine_cross(by_a, by_b).high, dot(by_a, by_b).high));
+  return std::abs(std::atan2(cross(by_a, by_b).high, dot(by_a, by_b).high));
 }
 
 }  // namespace manifuzz

@@ -1,19 +1,15 @@
 #pragma once
 
 #include "collider/sequence_collider.hpp"
-#include "exact/arithmetic.hpp"
-#include "exact/placed.hpp"
+#include "exact/fine_point.hpp"
 
 namespace manifuzz {
 
 // Where anchors and normals of kept points are in a frame, to well past double: what is compared
 // with a bound is rounded once.
 
-/// A place in the world, seen from A's position.
-using FinePoint = exact::Point<exact::DoubleDouble>;
-
-/// Where an anchor of a side is.
-FinePoint placed_anchor(const PairCase& pair, Side side, const Vector2<double>& anchor);
+/// Where an anchor of a side is in the world, seen from A's position.
+exact::FinePoint placed_anchor(const PairCase& pair, Side side, const Vector2<double>& anchor);
 
 /// B's anchor in A's frame.
 Vector2<double> anchor_b_in_a(const PairCase& pair, const KeptPoint& point);

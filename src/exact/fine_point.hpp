@@ -1,0 +1,32 @@
+#pragma once
+
+#include "exact/arithmetic.hpp"
+#include "exact/placed.hpp"
+
+namespace manifuzz::exact {
+
+/// A place or a direction in pairs of doubles: for what is compared no more finely than with a
+/// bound.
+using FinePoint = Point<DoubleDouble>;
+
+inline DoubleDouble cross(const FinePoint& p, const FinePoint& q) {
+  return p.x * q.y - p.y * q.x;
+}
+
+/// A direction of any length but 0, unit.
+inline FinePoint unit_of(const FinePoint& v) {
+  const DoubleDouble length = sqrt(dot(v, v));
+  return {v.x / length, v.y / length};
+}
+
+/// The doubles that are nearest.
+inline Vector2<double> rounded(const FinePoint& p) {
+  return {p.x.high, p.y.high};
+}
+
+/// A normal of A's frame in the world, unit.
+inline FinePoint in_world(const StoredPair& pair, const Vector2<double>& normal) {
+  return unit_of(turned(pair.a, widen<DoubleDouble>(normal)));
+}
+
+}  // namespace manifuzz::exact
