@@ -5,10 +5,11 @@
 
 namespace manifuzz::exact {
 
-/// A place or a direction in pairs of doubles: for what is compared no more finely than with a
-/// bound.
+/// A place or a direction in pairs of doubles: fine enough for what is compared with a bound, not
+/// for exact decisions.
 using FinePoint = Point<DoubleDouble>;
 
+/// The z of their cross product: above 0 where q is counterclockwise of p.
 inline DoubleDouble cross(const FinePoint& p, const FinePoint& q) {
   return p.x * q.y - p.y * q.x;
 }
@@ -17,11 +18,6 @@ inline DoubleDouble cross(const FinePoint& p, const FinePoint& q) {
 inline FinePoint unit_of(const FinePoint& v) {
   const DoubleDouble length = sqrt(dot(v, v));
   return {v.x / length, v.y / length};
-}
-
-/// The doubles that are nearest.
-inline Vector2<double> rounded(const FinePoint& p) {
-  return {p.x.high, p.y.high};
 }
 
 /// A normal of A's frame in the world, unit.

@@ -12,18 +12,28 @@ constexpr std::size_t kBinsOfPair = static_cast<std::size_t>(kBins) * kBins;
 /// So many of the last cases are remembered, at least.
 constexpr std::size_t kRemembered = 4096;
 
-/// What makes a tuple of labels.
+/// A cell for each tuple of these labels with a bin of one of these figures.
+struct TupleSet {
+  std::span<const Condition> labels;
+  std::span<const Condition> figures;
+};
+
+constexpr std::array kNumbered{Condition::count_a,      Condition::count_b,
+                               Condition::corners,      Condition::reference_side,
+                               Condition::cuts,         Condition::reference_face,
+                               Condition::incident_edge};
 constexpr std::array kKind{Condition::count_a, Condition::count_b, Condition::corners,
                            Condition::reference_side, Condition::cuts};
-constexpr std::array kNumbers{Condition::reference_face, Condition::incident_edge};
-/// A cell for a bin of each of these.
-constexpr std::array kBesideLabels{Condition::depth, Condition::tilt, Condition::slab_margin};
+constexpr std::array kCounts{Condition::count_a, Condition::count_b};
 
-std::uint64_t key_of(std::span<const Condition> labels, const Conditions& conditions,
-                     std::uint64_t key) {
-  for (const Condition label : labels) key = key * kBins + conditions[label];
-  return key;
-}
+constexpr std::array kContact{Condition::depth, Condition::tilt, Condition::slab_margin};
+constexpr std::array kContactAndSizes{
+    Condition::depth,      Condition::tilt,         Condition::slab_margin, Condition::scale,
+    Condition::size_ratio, Condition::radius_ratio, Condition::radius_of_a, Condition::radius_of_b};
+
+/// In the order of Archive::Set, from labels on.
+constexpr std::array<TupleSet, Archive::kTupleSets> kSetsOfTuples{
+    {{kNumbered, kContact}, {kKind, kContact}, {kCounts, kContactAndSizes}}};
 
 }  // namespace
 
@@ -47,19 +57,21 @@ std::uint32_t Archive::find_won(const Observation& observed, double value,
       won.push_back(&cell);
     }
   }
-  const std::uint64_t kind = key_of(kKind, observed.conditions, 1);
-  new_cells += find_won_in_tuples(kinds_, kind, observed.conditions, value, won);
-  const std::uint64_t labels = key_of(kNumbers, observed.conditions, kind);
-  return new_cells + find_won_in_tuples(labels_, labels, observed.conditions, value, won);
+  for (std::size_t set = 0; set < kTupleSets; ++set) {
+    new_cells += find_won_in_tuples(set, observed.conditions, value, won);
+  }
+  return new_cells;
 }
 
-std::uint32_t Archive::find_won_in_tuples(Tuples& tuples, std::uint64_t tuple,
-                                          const Conditions& conditions, double value,
-                                          std::vector<Cell*>& won) {
+std::uint32_t Archive::find_won_in_tuples(std::size_t set, const Conditions& conditions,
+                                          double value, std::vector<Cell*>& won) {
+  const auto& [labels, figures] = kSetsOfTuples[set];
+  Tuples& tuples = tuples_[set];
+  std::uint64_t tuple = 1;
+  for (const Condition label : labels) tuple = tuple * kBins + conditions[label];
   std::uint32_t new_cells = 0;
-  for (std::size_t k = 0; k < kBesideLabels.size(); ++k) {
-    const std::uint64_t key =
-        (tuple * kBesideLabels.size() + k) * kBins + conditions[kBesideLabels[k]];
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    const std::uint64_t key = (tuple * figures.size() + k) * kBins + conditions[figures[k]];
     const auto place = static_cast<std::uint32_t>(tuples.cells.size());
     const auto [found, is_new] = tuples.places.try_emplace(key, place);
     if (is_new) {

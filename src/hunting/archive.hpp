@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cassert>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -16,8 +18,9 @@ using EntryId = std::uint32_t;
 
 /// Sets of cells that share their cases: a cell for each pair of conditions with their bins, and
 /// one for each tuple of labels with a bin of depth, tilt or margin, once of all labels and once
-/// without the numbers of face and edge. Each holds the case of the greatest value, the first of
-/// equals.
+/// without the numbers of face and edge; and one for both counts of vertices with a bin of depth,
+/// tilt, margin, scale, or of a ratio of sizes or radii. Each holds the case of the greatest value,
+/// the first of equals.
 class Archive {
  public:
   struct Entry {
@@ -50,14 +53,17 @@ class Archive {
   }
 
   /// The sets of cells.
-  enum class Set { pairs, labels, kinds };
+  enum class Set { pairs, labels, kinds, counts };
+  static constexpr std::size_t kTupleSets = 3;  ///< all but pairs
 
   /// How many cells of a set are filled.
   std::size_t cell_count(Set set) const {
     return set == Set::pairs ? filled_pairs_.size() : tuples_of(set).cells.size();
   }
   std::size_t cell_count() const {
-    return cell_count(Set::pairs) + cell_count(Set::labels) + cell_count(Set::kinds);
+    std::size_t cells = filled_pairs_.size();
+    for (const Tuples& tuples : tuples_) cells += tuples.cells.size();
+    return cells;
   }
   bool is_empty() const { return cell_count() == 0; }
 
@@ -93,12 +99,14 @@ class Archive {
     std::deque<Cell> cells;  ///< pointers to them stay
     std::unordered_map<std::uint64_t, std::uint32_t> places;
   };
-  const Tuples& tuples_of(Set set) const { return set == Set::labels ? labels_ : kinds_; }
+  const Tuples& tuples_of(Set set) const {
+    assert(set != Set::pairs);
+    return tuples_[static_cast<std::size_t>(set) - 1];
+  }
 
   /// Finds the cells that such a case takes, new ones among them; how many of these there are.
   std::uint32_t find_won(const Observation& observed, double value, std::vector<Cell*>& won);
-  std::uint32_t find_won_in_tuples(Tuples& tuples, std::uint64_t tuple,
-                                   const Conditions& conditions, double value,
+  std::uint32_t find_won_in_tuples(std::size_t set, const Conditions& conditions, double value,
                                    std::vector<Cell*>& won);
   void take(Cell& cell, EntryId entry);
   void free_if_unused(EntryId id);
@@ -107,8 +115,7 @@ class Archive {
   std::vector<EntryId> free_;
   std::vector<Cell> pair_cells_;
   std::vector<std::uint32_t> filled_pairs_;
-  Tuples labels_;
-  Tuples kinds_;
+  std::array<Tuples, kTupleSets> tuples_;
   std::vector<EntryId> newest_;
 };
 

@@ -1,6 +1,7 @@
 #include "hunting/hunted_pairs.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -92,21 +93,24 @@ PairCase HuntedPairs::born(CaseNumber number) const {
 }
 
 std::array<double, HuntedPairs::kSources> HuntedPairs::shares_of_sources() const {
-  // Each has enough to be seen when it does better; the rest goes where cells still fill.
-  std::array<double, kSources> shares{0, 0.08, 0.08, 0.08, 0.08, 0.08, 0.2};
-  if (archive().is_empty()) return {0, 1, 0, 0, 0, 0, 0};
-  constexpr double rest = 0.4;
-  constexpr std::array filling{Source::drawn, Source::pair_cell, Source::label_cell,
-                               Source::kind_cell, Source::newest};
+  if (archive().is_empty()) return {0, 1};
+  std::array<double, kSources> shares{};
+  const auto at = [](Source source) { return static_cast<std::size_t>(source); };
+  constexpr std::array filling{Source::drawn,     Source::pair_cell,  Source::label_cell,
+                               Source::kind_cell, Source::count_cell, Source::newest};
+  // Each has enough to be seen when it does better; cells of counts are few, and lead to others
+  // when they no longer fill.
+  for (const Source source : filling) shares[at(source)] = 0.08;
+  shares[at(Source::count_cell)] = 0.15;
+  shares[at(Source::worst)] = 0.2;
+  const double rest = 1 - std::accumulate(shares.begin(), shares.end(), 0.0);
   const auto yield_of = [&](Source source) {
-    const Yield& yield = yields_[static_cast<std::size_t>(source)];
+    const Yield& yield = yields_[at(source)];
     return (yield.cells + 1) / (yield.cases + 1);
   };
   double all = 0;
   for (const Source source : filling) all += yield_of(source);
-  for (const Source source : filling) {
-    shares[static_cast<std::size_t>(source)] += rest * yield_of(source) / all;
-  }
+  for (const Source source : filling) shares[at(source)] += rest * yield_of(source) / all;
   return shares;
 }
 
@@ -115,7 +119,7 @@ EntryId HuntedPairs::in_rare_cell(Archive::Set set, Random& random) const {
     const auto count = static_cast<int>(archive().cell_count(set));
     return archive().cell(set, static_cast<std::size_t>(random.integer(0, count - 1)));
   };
-  constexpr int candidates = 4;
+  constexpr int candidates = 16;
   const Archive::Cell* rarest = &any_cell();
   for (int i = 1; i < candidates; ++i) {
     const Archive::Cell& cell = any_cell();
@@ -140,6 +144,8 @@ EntryId HuntedPairs::parent_from(Source source, Random& random, const Eligible& 
       return in_rare_cell(Archive::Set::labels, random);
     case Source::kind_cell:
       return in_rare_cell(Archive::Set::kinds, random);
+    case Source::count_cell:
+      return in_rare_cell(Archive::Set::counts, random);
     case Source::newest:
       if (eligible.newest.empty()) break;
       return less_used(eligible.newest, random);

@@ -50,8 +50,8 @@ class HuntedPairs : public ObservedPairs {
 
  private:
   /// Where a case comes from.
-  enum class Source { founded, drawn, pair_cell, label_cell, kind_cell, newest, worst };
-  static constexpr std::size_t kSources = 7;
+  enum class Source { founded, drawn, pair_cell, label_cell, kind_cell, count_cell, newest, worst };
+  static constexpr std::size_t kSources = 8;
   struct Birth {
     Source source = Source::drawn;
     EntryId parent = 0;
@@ -71,7 +71,7 @@ class HuntedPairs : public ObservedPairs {
 
   Birth birth_of(CaseNumber number, const std::array<double, kSources>& shares,
                  const Eligible& eligible);
-  /// The case of the least visited of a few cells.
+  /// The case of the least visited of 16 cells that chance takes.
   EntryId in_rare_cell(Archive::Set set, Random& random) const;
   /// The less used of two.
   EntryId less_used(std::span<const EntryId> entries, Random& random) const;

@@ -10,7 +10,8 @@ using exact::DoubleDouble;
 using exact::FinePoint;
 
 Vector2<double> rounded_unit(const FinePoint& p) {
-  return rounded(unit_of(p));
+  const FinePoint unit = unit_of(p);
+  return {unit.x.high, unit.y.high};
 }
 
 /// A normal of the world as a side carries it, as long as the rotations make it.

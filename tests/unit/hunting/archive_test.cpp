@@ -38,13 +38,38 @@ constexpr std::size_t kPairsOfConditions = kConditions * (kConditions - 1) / 2;
 
 }  // namespace
 
-TEST_CASE("a first case fills a cell for each pair of conditions, and three for each tuple") {
+TEST_CASE(
+    "a first case fills a cell for each pair of conditions, and for each figure beside labels") {
   Archive archive;
   const auto taken = archive.add(observed(1, Condition::tilt, 2), 0.5, [] { return numbered(1); });
-  CHECK(taken.new_cells == kPairsOfConditions + 6);
+  CHECK(taken.new_cells == kPairsOfConditions + 3 + 3 + 8);
   CHECK(taken.entry.has_value());
   CHECK(archive.cell_count(Archive::Set::pairs) == kPairsOfConditions);
   CHECK(archive.cell_count() == taken.new_cells);
+}
+
+TEST_CASE("each set has a cell for its labels with a bin of its figures, and for nothing else") {
+  using enum Archive::Set;
+  const auto new_cells = [](Condition condition) {
+    Archive archive;
+    const auto counted = [&] {
+      return std::array{archive.cell_count(labels), archive.cell_count(kinds),
+                        archive.cell_count(counts)};
+    };
+    archive.add(observed(1, condition, 1), 0.5, [] { return numbered(1); });
+    const auto before = counted();
+    archive.add(observed(1, condition, 2), 0.5, [] { return numbered(1); });
+    auto more = counted();
+    for (std::size_t set = 0; set < more.size(); ++set) more[set] -= before[set];
+    return more;
+  };
+  using Cells = std::array<std::size_t, 3>;
+  CHECK(new_cells(Condition::reference_face) == Cells{3, 0, 0});
+  CHECK(new_cells(Condition::corners) == Cells{3, 3, 0});
+  CHECK(new_cells(Condition::count_b) == Cells{3, 3, 8});
+  CHECK(new_cells(Condition::tilt) == Cells{1, 1, 1});
+  CHECK(new_cells(Condition::radius_of_a) == Cells{0, 0, 1});
+  CHECK(new_cells(Condition::turn_of_a) == Cells{0, 0, 0});
 }
 
 TEST_CASE("a cell keeps the first of the greatest") {
