@@ -131,6 +131,7 @@ constexpr LedgerRow kBox2dCoreRows[] = {
     {"edge-hysteresis", edge_face_kept_by_hysteresis},
     {"axis-within-epsilon", axis_within_box2d_core_epsilon},
     {"face-within-epsilon", face_within_box2d_core_epsilon},
+    {"circle-tied-faces", ledger_of::is_end_of_tied_face},
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "judging/faults/differences.hpp"
+#include "judging/faults/epsilon_deviations.hpp"
 #include "judging/faults/replayed.hpp"
 #include "oracle/box2d/deviations.hpp"
 
@@ -199,7 +200,8 @@ bool face_within_box2d_epsilon(const Deviation& d) {
 }
 
 bool tied_face_of_box2d_circle(const Deviation& d) {
-  return is_by_fault_of_circle(d, FaultOfBox2dCircle::tied_face);
+  return is_by_fault_of_circle(d, FaultOfBox2dCircle::tied_face) ||
+         ledger_of::is_end_of_tied_face(d);
 }
 
 bool tiny_reference_face_of_box2d(const Deviation& d) {

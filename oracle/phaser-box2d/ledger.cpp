@@ -105,6 +105,7 @@ constexpr LedgerRow kPhaserBox2dRows[] = {
     {"edge-extended-to-slab", edge_extended_to_slab},
     {"no-contact-on-tied-features", no_contact_on_tied_features},
     {"tiny-edge-unclipped", incident_edge_unclipped},
+    {"circle-tied-faces", ledger_of::is_end_of_tied_face},
 };
 
 }  // namespace

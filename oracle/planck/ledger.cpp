@@ -40,7 +40,7 @@ FrontOfPlanck front_of_planck(const Deviation& d, const EdgeAndPolygon& sides) {
   for (int i = 1; i + 1 < polygon.count; ++i) {
     const Vector2<double> p = polygon.vertices[i] - corner;
     const Vector2<double> q = polygon.vertices[i + 1] - corner;
-    const double part = p.x() * q.y() - p.y() * q.x();
+    const double part = cross(p, q);
     moment += part / 3 * (p + q);
     area += part;
   }
@@ -98,6 +98,7 @@ constexpr LedgerRow kPlanckRows[] = {
     {"face-within-epsilon", face_within_planck_epsilon},
     {"no-contact-under-bias", no_contact_under_bias},
     {"no-contact-on-tied-features", no_contact_on_tied_features},
+    {"circle-tied-faces", ledger_of::is_end_of_tied_face},
 };
 
 bool detected_wrongly(const FrameView& view, const FrameJudgement& judgement) {

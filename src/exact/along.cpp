@@ -108,9 +108,7 @@ int Along::compare_ahead(double length, double slide) const {
   int least = 1;
   for (const FaceOf& face : ahead_) {
     const auto turn = [&]<class Number>() {
-      const Point<Number> n = this->normal<Number>();
-      const Point<Number> out = outward_from_a<Number>(pair(), face);
-      return n.x * out.y - n.y * out.x;
+      return cross(this->normal<Number>(), outward_from_a<Number>(pair(), face));
     };
     const double side = decide_from_doubles([&]<class Number>() {
                           return sum_of(Root<Number>{turn.template operator()<Number>()});

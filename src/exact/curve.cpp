@@ -14,9 +14,8 @@ bool faces_alike(const StoredPair& pair, FaceOf one, FaceOf another) {
         dot(outward_from_a<Number>(pair, one), outward_from_a<Number>(pair, another))});
   });
   const int turn = decide_from_doubles([&]<class Number>() {
-    const Point<Number> p = outward_from_a<Number>(pair, one);
-    const Point<Number> q = outward_from_a<Number>(pair, another);
-    return sum_of(Root<Number>{p.x * q.y - p.y * q.x});
+    return sum_of(Root<Number>{
+        cross(outward_from_a<Number>(pair, one), outward_from_a<Number>(pair, another))});
   });
   return is_ahead > 0 && turn == 0;
 }

@@ -9,11 +9,6 @@ namespace manifuzz::exact {
 /// for exact decisions.
 using FinePoint = Point<DoubleDouble>;
 
-/// The z of their cross product: above 0 where q is counterclockwise of p.
-inline DoubleDouble cross(const FinePoint& p, const FinePoint& q) {
-  return p.x * q.y - p.y * q.x;
-}
-
 /// A direction of any length but 0, unit.
 inline FinePoint unit_of(const FinePoint& v) {
   const DoubleDouble length = sqrt(dot(v, v));

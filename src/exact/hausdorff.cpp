@@ -30,8 +30,7 @@ Rational squared_distance(const Vertex& p, const Vertex& from, const Vertex& to)
   const Rational along = dot(p - from, edge);
   if (along.sign() <= 0 || length.is_zero()) return squared(p - from);
   if (along >= length) return squared(p - to);
-  const Vertex off = p - from;
-  const Rational across = edge.x * off.y - edge.y * off.x;
+  const Rational across = cross(edge, p - from);
   return across * across / length;
 }
 
@@ -42,8 +41,7 @@ bool is_outside(const Vertex& p, const Outline& outline) {
     const Vertex& from = outline[i];
     const Vertex& to = outline[(i + 1) % outline.size()];
     if ((from.y > p.y) == (to.y > p.y)) continue;
-    const Rational turn = (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
-    if ((turn.sign() > 0) == (to.y > from.y)) is_even = !is_even;
+    if ((cross(to - from, p - from).sign() > 0) == (to.y > from.y)) is_even = !is_even;
   }
   return is_even;
 }
@@ -72,8 +70,7 @@ bool are_behind(const Outline& vertices, const Outline& outline, const Rational&
     const Vertex edge = outline[(i + 1) % outline.size()] - outline[i];
     const Rational least = depth * depth * squared(edge);
     for (const Vertex& v : vertices) {
-      const Vertex off = v - outline[i];
-      const Rational left = edge.x * off.y - edge.y * off.x;
+      const Rational left = cross(edge, v - outline[i]);
       if (left.sign() < 0 || left * left < least) return false;
     }
   }
@@ -86,8 +83,7 @@ double least_depth(const Outline& vertices, const Outline& outline) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vertex edge = outline[(i + 1) % outline.size()] - outline[i];
     for (const Vertex& v : vertices) {
-      const Vertex off = v - outline[i];
-      const Rational left = edge.x * off.y - edge.y * off.x;
+      const Rational left = cross(edge, v - outline[i]);
       least = std::min(least,
                        static_cast<double>(left) / std::sqrt(static_cast<double>(squared(edge))));
     }

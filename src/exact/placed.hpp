@@ -54,6 +54,13 @@ Number dot(const Point<Number>& p, const Point<Number>& q) {
   return p.x * q.x + p.y * q.y;
 }
 
+using manifuzz::cross;
+/// z of p x q: positive where q points counter-clockwise of p.
+template <class Number>
+Number cross(const Point<Number>& p, const Point<Number>& q) {
+  return p.x * q.y - p.y * q.x;
+}
+
 template <class Number>
 Number widen(double value) {
   return Number(value);

@@ -71,7 +71,7 @@ class Frame {
   Frame(const Truth& truth, const Along& along)
       : pair_(truth.stored()), normal_(along.normal<Number>()), squared_(dot(normal_, normal_)) {}
 
-  Number place(const Point<Number>& p) const { return normal_.x * p.y - normal_.y * p.x; }
+  Number place(const Point<Number>& p) const { return cross(normal_, p); }
   Number height(const Point<Number>& p) const { return dot(normal_, p); }
   E element(const Number& number) const { return scaled(number, 0, squared_); }
   E length(double world) const { return scaled(Number(0.0), world, squared_); }

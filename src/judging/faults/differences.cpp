@@ -10,9 +10,7 @@ namespace ledger_of {
 namespace {
 
 double turn_of(const Vector2<double>& a, const Vector2<double>& b, const Vector2<double>& c) {
-  const Vector2<double> ab = b - a;
-  const Vector2<double> ac = c - a;
-  return ab.x() * ac.y() - ab.y() * ac.x();
+  return cross<double>(b - a, c - a);
 }
 
 /// One half of a hull, of places in the order that it goes through them.

@@ -1,6 +1,8 @@
 #include "judging/faults/epsilon_deviations.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "exact/placed.hpp"
 
@@ -20,6 +22,17 @@ bool has_circle(const PairCase& pair) {
 bool is_depth_of(const Deviation& d, double distance) {
   return std::abs(d.got.points[0].depth - (total_radius(d.right.pair()) - distance)) <=
          4 * d.right.bounds.separation;
+}
+
+/// A polygon's faces that the other core is as far in front of as of any, within the bound.
+std::vector<int> faces_tied_with_greatest(const Deviation& d, Side side, double bound) {
+  const exact::Truth& truth = *d.right.truth;
+  std::vector<int> tied;
+  if (d.right.pair()[side].polygon.count < kMinVertices) return tied;
+  for (int i = 0; i < d.right.pair()[side].polygon.count; ++i) {
+    if (truth.separation({side, i}) >= truth.separation(side) - bound) tied.push_back(i);
+  }
+  return tied;
 }
 
 }  // namespace
@@ -42,26 +55,48 @@ bool is_axis_within(const Deviation& d, double epsilon) {
   return false;
 }
 
+bool is_end_of_tied_face(const Deviation& d) {
+  const PairCase& pair = d.right.pair();
+  if (d.got.count > 1 || !has_circle(pair)) return false;
+  const Side side = pair.a.polygon.count == 1 ? Side::b : Side::a;
+  const double bound = 2 * d.right.bounds.separation;
+  const std::vector<int> tied = faces_tied_with_greatest(d, side, bound);
+  if (tied.size() < 2) return false;
+  const exact::RoughPair placed = exact::place_roughly(pair);
+  const exact::RoughPolygon& polygon = placed[side];
+  const Vector2<double>& centre = placed[other(side)].vertices[0];
+  for (const int face : tied) {
+    for (const int end : {face, pair[side].polygon.next(face)}) {
+      const Vector2<double> apart = centre - polygon.vertices[end];
+      const double distance = apart.norm();
+      if (d.got.count == 0) {
+        if (distance >= total_radius(pair) - bound) return true;
+        continue;
+      }
+      const Vector2<double> normal = (side == Side::a ? apart : Vector2<double>(-apart)) / distance;
+      if ((given_normal(d) - normal).norm() <= 2 * d.right.bounds.normal + bound / distance &&
+          is_depth_of(d, distance)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool is_face_within(const Deviation& d, double epsilon) {
   const PairCase& pair = d.right.pair();
   if (d.got.count != 1 || !has_circle(pair)) return false;
   const Side side = pair.a.polygon.count == 1 ? Side::b : Side::a;
-  if (pair[side].polygon.count < kMinVertices) return false;
   const exact::Truth& truth = *d.right.truth;
   const double bound = 2 * d.right.bounds.separation;
   if (std::abs(truth.separation(side)) > epsilon + bound) return false;
   const exact::RoughPair placed = exact::place_roughly(pair);
-  for (int i = 0; i < placed[side].count; ++i) {
-    const exact::FaceOf face{side, i};
-    if (truth.separation(face) < truth.separation(side) - bound) continue;
-    const Vector2<double>& out = placed[side].normals[i];
+  return std::ranges::any_of(faces_tied_with_greatest(d, side, bound), [&](int face) {
+    const Vector2<double>& out = placed[side].normals[face];
     const Vector2<double> normal = side == Side::a ? out : Vector2<double>(-out);
-    if ((given_normal(d) - normal).norm() <= 2 * d.right.bounds.normal &&
-        is_depth_of(d, truth.separation(face))) {
-      return true;
-    }
-  }
-  return false;
+    return (given_normal(d) - normal).norm() <= 2 * d.right.bounds.normal &&
+           is_depth_of(d, truth.separation({side, face}));
+  });
 }
 
 }  // namespace manifuzz::ledger_of

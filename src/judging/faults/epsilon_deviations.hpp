@@ -4,7 +4,7 @@
 
 namespace manifuzz::ledger_of {
 
-// Faults of engines that are Box2D 2.4 in doubles, each with an epsilon of its own, a world length.
+// Faults of engines that collide circles as Box2D 2.4 does; an epsilon is a world length.
 
 /// A circle whose centre is nearer than epsilon to another's or to an edge's end: the normal is the
 /// world's x axis, from the first shape of both.
@@ -12,5 +12,9 @@ bool is_axis_within(const Deviation& deviation, double epsilon);
 /// A circle whose centre is nearer than epsilon to a polygon: the normal is a face's, beyond its
 /// corner too.
 bool is_face_within(const Deviation& deviation, double epsilon);
+/// A circle in front of a polygon: of faces that tie, one is kept whose end is nearer than the
+/// others of it, though another face is nearest. The normal is from that end, or there is no
+/// contact where the end is out of reach.
+bool is_end_of_tied_face(const Deviation& deviation);
 
 }  // namespace manifuzz::ledger_of

@@ -63,7 +63,7 @@ Place centroid_of(const std::vector<Place>& vertices) {
   for (std::size_t i = 1; i + 1 < vertices.size(); ++i) {
     const Place p = vertices[i] - corner;
     const Place q = vertices[i + 1] - corner;
-    const double part = p.x() * q.y() - p.y() * q.x();
+    const double part = cross(p, q);
     sum += part * (p + q);
     area += part;
   }
