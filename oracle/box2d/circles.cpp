@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "judging/faults/differences.hpp"
-#include "judging/faults/epsilon_deviations.hpp"
 #include "judging/faults/replayed.hpp"
 #include "oracle/box2d/deviations.hpp"
 
@@ -21,8 +20,7 @@ enum class FaultOfBox2dCircle : unsigned {
   face = 1,  ///< a centre in front of a face by less than b2_epsilon is taken to be behind
   short_direction = 2,  ///< b2Vec2::Normalize leaves an edge's normal, or the direction from a
                         ///< corner, as it is where that is shorter than b2_epsilon
-  tied_face = 4,  ///< of faces that tie in floats one is kept that is not the farthest, or that
-                  ///< the centre is not in front of
+  tied_face = 4,        ///< of faces that tie in floats one is kept that is not the nearest
 };
 constexpr unsigned kFaultsOfBox2dCircle = 7;
 
@@ -65,6 +63,21 @@ int farthest_in_doubles(const ConvexPolygon<float>& core, const FloatVector& cen
   return farthest;
 }
 
+/// The face that is nearest to a centre in front of it, or the farthest where there is none:
+/// doubles tie, too, where a corner is flatter than they tell.
+int nearest_in_doubles(const ConvexPolygon<float>& core, const FloatVector& centre) {
+  const auto distance = [&](int face) {
+    return ledger_of::distance_to_segment(centre.cast<double>(), core.vertices[face].cast<double>(),
+                                          core.vertices[core.next(face)].cast<double>());
+  };
+  int nearest = farthest_in_doubles(core, centre);
+  for (int i = 0; i < core.count; ++i) {
+    const bool is_in_front = distance_in_doubles(core, i, centre) > 0;
+    if (is_in_front && distance(i) < distance(nearest)) nearest = i;
+  }
+  return nearest;
+}
+
 /// b2CollidePolygonAndCircle.
 std::optional<LocalManifold> of_polygon(const ConvexPolygon<float>& core, const FloatVector& centre,
                                         float radius, unsigned mended) {
@@ -78,7 +91,7 @@ std::optional<LocalManifold> of_polygon(const ConvexPolygon<float>& core, const 
       face = i;
     }
   }
-  if (has(mended, FaultOfBox2dCircle::tied_face)) face = farthest_in_doubles(core, centre);
+  if (has(mended, FaultOfBox2dCircle::tied_face)) face = nearest_in_doubles(core, centre);
   const FloatVector& v1 = core.vertices[face];
   const FloatVector& v2 = core.vertices[core.next(face)];
   const FloatVector middle = 0.5F * (v1 + v2);
@@ -200,8 +213,7 @@ bool face_within_box2d_epsilon(const Deviation& d) {
 }
 
 bool tied_face_of_box2d_circle(const Deviation& d) {
-  return is_by_fault_of_circle(d, FaultOfBox2dCircle::tied_face) ||
-         ledger_of::is_end_of_tied_face(d);
+  return is_by_fault_of_circle(d, FaultOfBox2dCircle::tied_face);
 }
 
 bool tiny_reference_face_of_box2d(const Deviation& d) {

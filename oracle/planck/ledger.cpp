@@ -98,7 +98,7 @@ constexpr LedgerRow kPlanckRows[] = {
     {"face-within-epsilon", face_within_planck_epsilon},
     {"no-contact-under-bias", no_contact_under_bias},
     {"no-contact-on-tied-features", no_contact_on_tied_features},
-    {"circle-tied-faces", ledger_of::is_end_of_tied_face},
+    {"circle-tied-faces", is_end_of_tied_face},
 };
 
 bool detected_wrongly(const FrameView& view, const FrameJudgement& judgement) {

@@ -27,8 +27,8 @@ void append_rounded(std::string& out, double value, int digits) {
 }  // namespace
 
 void append_widened(std::string& out, double bound) {
-  constexpr double kHalfOfLastDigit = 5.1e-5;
-  append_rounded(out, bound * (1 + kHalfOfLastDigit), 4);
+  constexpr double kHalfOfLastDigit = 5.1e-7;
+  append_rounded(out, bound * (1 + kHalfOfLastDigit), 6);
 }
 
 void append_low(std::string& out, const exact::DoubleDouble& figure) {

@@ -168,7 +168,8 @@ Hunt run_hunt(const HuntPlan& hunt, const Known& known, const SaveTo& save_to, c
     return hunting.run(journal, interruption);
   };
   Campaign campaign = run_campaign_by(run, hunting.plan(), known, save_to, origin, on_saving);
-  journal.end();
+  const Saving& saving = campaign.saving;
+  if (saving.unwritten == 0 && saving.unsaved == 0) journal.end();
   return hunting.finished(std::move(campaign));
 }
 

@@ -1,26 +1,49 @@
 #include "hunting/journal.hpp"
 
+#include <cerrno>
+#include <fcntl.h>
 #include <fstream>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
 namespace manifuzz {
+namespace {
 
-Journal::Journal(const std::string& folder, std::string_view name, std::uint64_t seed) {
-  if (!folder.empty())
-    file_ = std::filesystem::path(folder) / fmt::format("{}-{}.jsonl", name, seed);
+namespace fs = std::filesystem;
+
+/// Makes a file that was not there: NAME.jsonl, or NAME-2.jsonl and so on where a hunt that was
+/// killed, or that runs now, has left others. Nothing where none can be made.
+fs::path make_own_file(const fs::path& folder, const std::string& name) {
+  constexpr int kMost = 1000;
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  for (int i = 1; i <= kMost; ++i) {
+    const fs::path file = folder / (i == 1 ? name + ".jsonl" : fmt::format("{}-{}.jsonl", name, i));
+    const int made = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (made >= 0) {
+      ::close(made);
+      return file;
+    }
+    if (errno != EEXIST) break;
+  }
+  return {};
 }
 
+}  // namespace
+
+Journal::Journal(std::string folder, std::string_view name, std::uint64_t seed)
+    : folder_(std::move(folder)), name_(fmt::format("{}-{}", name, seed)) {}
+
 void Journal::add(std::size_t key, const std::function<std::string()>& line) {
-  if (file_.empty() || !known_.insert(key).second) return;
-  std::error_code ignored;
-  std::filesystem::create_directories(file_.parent_path(), ignored);
-  std::ofstream(file_, std::ios::app) << line() << '\n' << std::flush;
+  if (folder_.empty() || !known_.insert(key).second) return;
+  if (known_.size() == 1) file_ = make_own_file(folder_, name_);
+  if (!file_.empty()) std::ofstream(file_, std::ios::app) << line() << '\n' << std::flush;
 }
 
 void Journal::end() const {
   std::error_code ignored;
-  if (!known_.empty()) std::filesystem::remove(file_, ignored);
+  if (!file_.empty()) fs::remove(file_, ignored);
 }
 
 }  // namespace manifuzz

@@ -159,7 +159,8 @@ std::vector<CheckedProperty> checked_by_hunt(
     on_checked(checked);
     all.push_back(checked);
   }
-  hunt.journal.end();
+  const auto is_saved = [](const CheckedProperty& one) { return one.why_unsaved.empty(); };
+  if (std::ranges::all_of(all, is_saved)) hunt.journal.end();
   return all;
 }
 

@@ -19,7 +19,8 @@ std::string in_digits(double value) {
 /// How bad the case is that the file has, if any.
 double kept_value(const std::filesystem::path& file, Gauge gauge, const Collider& collider,
                   Interruption& interruption) {
-  if (!std::filesystem::exists(file)) return 0;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return 0;
   const PairCase kept = read_case_file(file.string()).pair();
   const auto observed = observed_now(collider, kept, interruption);
   return observed ? (*observed)[gauge] : 0;
@@ -37,7 +38,6 @@ void keep(WorstFound& found, const Plan& plan, const std::filesystem::path& corp
               .index = plan.index_of(found.number),
               .versions = {{plan.subject.declaration.name, plan.subject.declaration.version}}};
     saved.note = note_of_worst(found.gauge, found.value);
-    std::filesystem::create_directories(file.parent_path());
     write_file(file, format_case(saved));
   }
   found.file = file.string();

@@ -48,7 +48,7 @@ std::string list_worst() {
     const std::filesystem::path worst = folder / "worst";
     if (!std::filesystem::is_directory(worst)) continue;
     const Corpus known = read_corpus({&worst, 1});
-    for (const std::string& error : known.errors) write_complaint(error);
+    if (!known.errors.empty()) throw UserError(known.errors.front());
     for (const CorpusCase& one : known.cases) {
       const std::filesystem::path file(one.path);
       lines += fmt::format("{:<17} {:<21} {} [{}]\n", file.parent_path().filename().string(),

@@ -24,7 +24,7 @@ bool is_depth_of(const Deviation& d, double distance) {
          4 * d.right.bounds.separation;
 }
 
-/// A polygon's faces that the other core is as far in front of as of any, within the bound.
+/// A polygon's faces whose separation is the greatest, within the bound.
 std::vector<int> faces_tied_with_greatest(const Deviation& d, Side side, double bound) {
   const exact::Truth& truth = *d.right.truth;
   std::vector<int> tied;
@@ -61,26 +61,23 @@ bool is_end_of_tied_face(const Deviation& d) {
   const Side side = pair.a.polygon.count == 1 ? Side::b : Side::a;
   const double bound = 2 * d.right.bounds.separation;
   const std::vector<int> tied = faces_tied_with_greatest(d, side, bound);
-  if (tied.size() < 2) return false;
+  if (tied.size() < 2 || d.right.truth->separation(side) < -bound) return false;
   const exact::RoughPair placed = exact::place_roughly(pair);
-  const exact::RoughPolygon& polygon = placed[side];
   const Vector2<double>& centre = placed[other(side)].vertices[0];
-  for (const int face : tied) {
-    for (const int end : {face, pair[side].polygon.next(face)}) {
-      const Vector2<double> apart = centre - polygon.vertices[end];
-      const double distance = apart.norm();
-      if (d.got.count == 0) {
-        if (distance >= total_radius(pair) - bound) return true;
-        continue;
-      }
-      const Vector2<double> normal = (side == Side::a ? apart : Vector2<double>(-apart)) / distance;
-      if ((given_normal(d) - normal).norm() <= 2 * d.right.bounds.normal + bound / distance &&
-          is_depth_of(d, distance)) {
-        return true;
-      }
-    }
-  }
-  return false;
+  const auto is_answer_from = [&](const Vector2<double>& apart) {
+    const double distance = apart.norm();
+    if (d.got.count == 0) return distance >= total_radius(pair) - bound;
+    const Vector2<double> normal = (side == Side::a ? apart : Vector2<double>(-apart)) / distance;
+    return (given_normal(d) - normal).norm() <= 2 * d.right.bounds.normal + bound / distance &&
+           is_depth_of(d, distance);
+  };
+  return std::ranges::any_of(tied, [&](int face) {
+    const Vector2<double>& from = placed[side].vertices[face];
+    const Vector2<double>& to = placed[side].vertices[pair[side].polygon.next(face)];
+    const Vector2<double> along = (to - from).normalized();
+    return ((centre - from).dot(along) <= bound && is_answer_from(centre - from)) ||
+           ((centre - to).dot(along) >= -bound && is_answer_from(centre - to));
+  });
 }
 
 bool is_face_within(const Deviation& d, double epsilon) {

@@ -12,9 +12,9 @@ bool is_axis_within(const Deviation& deviation, double epsilon);
 /// A circle whose centre is nearer than epsilon to a polygon: the normal is a face's, beyond its
 /// corner too.
 bool is_face_within(const Deviation& deviation, double epsilon);
-/// A circle in front of a polygon: of faces that tie, one is kept whose end is nearer than the
-/// others of it, though another face is nearest. The normal is from that end, or there is no
-/// contact where the end is out of reach.
+/// A circle whose centre is in front of a polygon: two faces tie, and one is kept although the
+/// centre is beyond its end and another face is nearer. The normal comes from that end, or there is
+/// no contact where the end is out of reach.
 bool is_end_of_tied_face(const Deviation& deviation);
 
 }  // namespace manifuzz::ledger_of

@@ -240,3 +240,34 @@ TEST_CASE("parry takes a centre within epsilon of a segment to be inside of it")
   CHECK_FALSE(is_it(at(5e-8F), {1, 0}, 0.005 + 5e-8));
   CHECK_FALSE(is_it(at(2e-7F), {-1, 0}, 0.005 + 2e-7));
 }
+
+TEST_CASE("of faces that tie, the end that a circle's centre is beyond is what engines may keep") {
+  constexpr auto id = "planck-circle-tied-faces";
+  const auto is_it = [&](const PairCase& pair, const Vector2<double>& normal, double depth) {
+    return is_explained(id, pair, normal, depth, Kind::inconsistent, ScalarType::float64);
+  };
+  const auto is_none = [&](const PairCase& pair) {
+    return explains(id, pair, {}, Kind::missed_contact, ScalarType::float64);
+  };
+  // A sliver whose corner in the middle is flat, and a centre beyond its upper one.
+  const auto beside_sliver = [](float radius) {
+    return PairCase{triangle_of({Vector2<float>{0, 0}, {4e-16F, 2}, {0, 4}}),
+                    circle_at({600, 200}, radius)};
+  };
+  const Vector2<double> from_middle(600, 198);
+  const Vector2<double> from_below(600, 200);
+  CHECK(is_it(beside_sliver(1000), from_middle, 1000 - from_middle.norm()));
+  CHECK_FALSE(is_it(beside_sliver(1000), from_middle, 1000 - from_middle.norm() - 0.1));
+  CHECK_FALSE(is_it(beside_sliver(1000), from_below, 1000 - from_below.norm()));
+  CHECK(is_none(beside_sliver(631.5F)));
+  CHECK_FALSE(is_none(beside_sliver(640)));
+  // Two faces of a square tie of each centre on its diagonal; engines answer these as they should.
+  const auto on_square = [](float at, float radius) {
+    return PairCase{square_of_two(0, 0), circle_at({at, at}, radius)};
+  };
+  CHECK_FALSE(is_none(on_square(2, 2)));
+  CHECK_FALSE(is_none(on_square(0.5F, 1)));
+  CHECK_FALSE(is_none(on_square(0, 0.5F)));
+  CHECK_FALSE(is_it(on_square(2, 4), {1, 3}, 4 - std::sqrt(10.0)));
+  CHECK_FALSE(is_it(on_square(0, 2), {-1, 1}, 2 - std::sqrt(2.0)));
+}

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/file.hpp"
 #include "engines/colliders.hpp"
 #include "hunting/rare_bugs.hpp"
 #include "hunting/rare_colliders.hpp"
@@ -84,24 +85,54 @@ TEST_CASE("a bug that drawing meets once in a million cases is found, shrunk and
   CHECK(error->file == worst_file(folder.path(), "planted", Gauge::error).string());
 }
 
-TEST_CASE("what is found stands in a file while a hunt runs, and goes when it is saved",
-          "[longer]") {
-  const TemporaryFolder folder;
+namespace {
+
+/// A hunt that finds a planted bug, and saves it to the folder. `on_saving` runs before each
+/// finding is saved.
+Hunt hunt_saving_to(const std::filesystem::path& folder, const std::function<void()>& on_saving) {
   HuntPlan plan = plan_of(with_rare_bug("climb_stops_short"), make_clip(), 100'000, 2);
   plan.compares = false;
-  const std::filesystem::path journal = folder.path() / "hunt-4.jsonl";
-  bool was_there = false;
   const Origin nowhere{
       "manifuzz hunt",
       {{"machine", ""}, {"compiler", ""}, {"versions", nlohmann::ordered_json::object()}}};
-  const Hunt hunt = run_hunt(plan, {}, {.folder = folder.path().string(), .shrink_seconds = 1},
-                             nowhere, [&](const HuntProgress& progress) {
-                               if (progress.cases.saving.empty()) return;
-                               was_there = was_there || std::filesystem::exists(journal);
-                             });
+  return run_hunt(plan, {}, {.folder = folder.string(), .shrink_seconds = 1}, nowhere,
+                  [&](const HuntProgress& progress) {
+                    if (!progress.cases.saving.empty()) on_saving();
+                  });
+}
+
+}  // namespace
+
+TEST_CASE("what is found stands in a file while a hunt runs, and goes when it is saved",
+          "[longer]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path journal = folder.path() / "hunt-4.jsonl";
+  bool was_there = false;
+  const Hunt hunt = hunt_saving_to(
+      folder.path(), [&] { was_there = was_there || std::filesystem::exists(journal); });
   REQUIRE(has_failed(hunt.campaign.result));
   CHECK(was_there);
   CHECK_FALSE(std::filesystem::exists(journal));
+}
+
+TEST_CASE("what a killed hunt has left stays, and so does what could not be saved", "[longer]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path left = folder.path() / "hunt-4.jsonl";
+  const std::filesystem::path own = folder.path() / "hunt-4-2.jsonl";
+  write_file(left, "of another hunt\n");
+  SECTION("a hunt has a file of its own") {
+    const Hunt hunt = hunt_saving_to(folder.path(), [&] { CHECK(std::filesystem::exists(own)); });
+    REQUIRE(has_failed(hunt.campaign.result));
+    CHECK_FALSE(std::filesystem::exists(own));
+  }
+  SECTION("a folder that takes no finding and no worst case") {
+    write_file(folder.path() / "regressions", "");
+    write_file(folder.path() / "worst", "");
+    const Hunt hunt = hunt_saving_to(folder.path(), [] {});
+    CHECK(hunt.campaign.saving.unwritten > 1);
+    CHECK_THAT(InputFile(own.string()).read_all(), Catch::Contains("\"vertices\""));
+  }
+  CHECK(InputFile(left.string()).read_all() == "of another hunt\n");
 }
 
 TEST_CASE("cases to begin with are the first, and are bred from") {
