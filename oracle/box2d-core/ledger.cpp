@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "engines/engine.hpp"
-#include "judging/faults/epsilon_deviations.hpp"
+#include "judging/faults/circle_faults.hpp"
 #include "judging/faults/shared_faults.hpp"
 #include "oracle/box2d/deviations.hpp"
 

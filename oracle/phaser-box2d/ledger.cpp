@@ -3,7 +3,7 @@
 
 #include "engines/engine.hpp"
 #include "exact/curve.hpp"
-#include "judging/faults/epsilon_deviations.hpp"
+#include "judging/faults/circle_faults.hpp"
 #include "judging/faults/shared_faults.hpp"
 #include "judging/manifold_error.hpp"
 #include "oracle/box2d3/capsule_editions.hpp"

@@ -1,4 +1,4 @@
-#include "judging/faults/epsilon_deviations.hpp"
+#include "judging/faults/circle_faults.hpp"
 
 #include <algorithm>
 #include <cmath>
