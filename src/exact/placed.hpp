@@ -54,7 +54,7 @@ Number dot(const Point<Number>& p, const Point<Number>& q) {
   return p.x * q.x + p.y * q.y;
 }
 
-using manifuzz::cross;
+using manifuzz::cross;  // the one below would hide it
 /// z of p x q: positive where q points counter-clockwise of p.
 template <class Number>
 Number cross(const Point<Number>& p, const Point<Number>& q) {
