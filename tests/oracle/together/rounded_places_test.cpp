@@ -261,7 +261,7 @@ TEST_CASE("of faces that tie, the end that a circle's centre is beyond is what e
   CHECK_FALSE(is_it(beside_sliver(1000), from_below, 1000 - from_below.norm()));
   CHECK(is_none(beside_sliver(631.5F)));
   CHECK_FALSE(is_none(beside_sliver(640)));
-  // Two faces of a square tie of each centre on its diagonal; engines answer these as they should.
+  // For a centre on a square's diagonal two faces tie; engines answer these as they should.
   const auto on_square = [](float at, float radius) {
     return PairCase{square_of_two(0, 0), circle_at({at, at}, radius)};
   };
