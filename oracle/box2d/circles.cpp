@@ -55,10 +55,12 @@ double distance_in_doubles(const ConvexPolygon<float>& core, int face, const Flo
 
 int farthest_in_doubles(const ConvexPolygon<float>& core, const FloatVector& centre) {
   int farthest = 0;
+  double greatest = distance_in_doubles(core, 0, centre);
   for (int i = 1; i < core.count; ++i) {
-    const bool is_farther =
-        distance_in_doubles(core, i, centre) > distance_in_doubles(core, farthest, centre);
-    if (is_farther) farthest = i;
+    const double of_this = distance_in_doubles(core, i, centre);
+    if (of_this <= greatest) continue;
+    farthest = i;
+    greatest = of_this;
   }
   return farthest;
 }
@@ -71,9 +73,12 @@ int nearest_in_doubles(const ConvexPolygon<float>& core, const FloatVector& cent
                                           core.vertices[core.next(face)].cast<double>());
   };
   int nearest = farthest_in_doubles(core, centre);
+  double least = distance(nearest);
   for (int i = 0; i < core.count; ++i) {
-    const bool is_in_front = distance_in_doubles(core, i, centre) > 0;
-    if (is_in_front && distance(i) < distance(nearest)) nearest = i;
+    const double of_this = distance(i);
+    if (of_this >= least || distance_in_doubles(core, i, centre) <= 0) continue;
+    nearest = i;
+    least = of_this;
   }
   return nearest;
 }

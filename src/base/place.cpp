@@ -1,11 +1,11 @@
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 
 #include "base/file.hpp"
+#include "base/new_file.hpp"
 #include "base/text.hpp"
 
 namespace manifuzz {
@@ -49,18 +49,13 @@ class TrialFolder {
   std::string why_not_;
 };
 
-/// Why the file just opened cannot be created; it is taken away again.
-std::string why_not_opened(int file, const std::string& path) {
+std::string why_no_temporary_file_in(const fs::path& folder) {
+  std::string path = folder / kTemporaryName;
+  const int file = ::mkstemp(path.data());
   if (file < 0) return failure("create it");
   ::close(file);
   ::unlink(path.c_str());
   return "";
-}
-
-std::string why_no_temporary_file_in(const fs::path& folder) {
-  std::string path = folder / kTemporaryName;
-  const int file = ::mkstemp(path.data());
-  return why_not_opened(file, path);
 }
 
 }  // namespace
@@ -87,7 +82,9 @@ std::string why_not_writable(const fs::path& file) {
   if (fs::is_symlink(fs::symlink_status(file, unknown))) return "is a link to nothing";
   const TrialFolder folder(file.parent_path());
   if (!folder.why_not().empty()) return folder.why_not();
-  return why_not_opened(::open(file.c_str(), O_CREAT | O_EXCL | O_CLOEXEC, 0666), file.string());
+  if (!make_new_file(file)) return failure("create it");
+  ::unlink(file.c_str());
+  return "";
 }
 
 std::string why_no_folder(const fs::path& folder) {

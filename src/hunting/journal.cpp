@@ -1,11 +1,11 @@
 #include "hunting/journal.hpp"
 
 #include <cerrno>
-#include <fcntl.h>
 #include <fstream>
-#include <unistd.h>
 
 #include <fmt/format.h>
+
+#include "base/new_file.hpp"
 
 namespace manifuzz {
 namespace {
@@ -20,11 +20,7 @@ fs::path make_own_file(const fs::path& folder, const std::string& name) {
   fs::create_directories(folder, ignored);
   for (int i = 1; i <= kMost; ++i) {
     const fs::path file = folder / (i == 1 ? name + ".jsonl" : fmt::format("{}-{}.jsonl", name, i));
-    const int made = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (made >= 0) {
-      ::close(made);
-      return file;
-    }
+    if (make_new_file(file)) return file;
     if (errno != EEXIST) break;
   }
   return {};

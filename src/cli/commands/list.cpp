@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -40,21 +41,29 @@ std::string list_colliders() {
          lines_of_colliders(sequence_colliders(), keeper_line);
 }
 
+/// Ends as an error that has the first of these and says how many more there are; what could be
+/// listed is written before.
+[[noreturn]] void end_with(const std::vector<std::string>& errors, const std::string& lines) {
+  write_output(lines);
+  if (errors.size() == 1) throw UserError(errors.front());
+  throw UserError(fmt::format("{} (and {} more)", errors.front(), errors.size() - 1));
+}
+
 /// The worst known case of each collider by each measure: what the files of the corpus and of the
 /// findings say.
 std::string list_worst() {
-  std::string lines;
+  Corpus known;
   for (const std::filesystem::path& folder : CorpusFolders{}.all()) {
     const std::filesystem::path worst = folder / "worst";
-    if (!std::filesystem::is_directory(worst)) continue;
-    const Corpus known = read_corpus({&worst, 1});
-    if (!known.errors.empty()) throw UserError(known.errors.front());
-    for (const CorpusCase& one : known.cases) {
-      const std::filesystem::path file(one.path);
-      lines += fmt::format("{:<17} {:<21} {} [{}]\n", file.parent_path().filename().string(),
-                           file.stem().string(), printable(one.note, 200), one.path);
-    }
+    if (std::filesystem::exists(worst)) known.add(read_corpus({&worst, 1}));
   }
+  std::string lines;
+  for (const CorpusCase& one : known.cases) {
+    const std::filesystem::path file(one.path);
+    lines += fmt::format("{:<17} {:<21} {} [{}]\n", file.parent_path().filename().string(),
+                         file.stem().string(), printable(one.note, 200), one.path);
+  }
+  if (!known.errors.empty()) end_with(known.errors, lines);
   return lines.empty() ? "none is known: manifuzz hunt finds some\n" : lines;
 }
 
