@@ -26,6 +26,17 @@ fs::path make_own_file(const fs::path& folder, const std::string& name) {
   return {};
 }
 
+/// Appends the line whole, or nothing: half a line would be no case.
+void append_line(const fs::path& file, const std::string& line) {
+  std::error_code unknown;
+  const std::uintmax_t size = fs::file_size(file, unknown);
+  if (unknown) return;
+  std::ofstream out(file, std::ios::app);
+  out << line << '\n';
+  out.close();
+  if (!out) fs::resize_file(file, size, unknown);
+}
+
 }  // namespace
 
 Journal::Journal(std::string folder, std::string_view name, std::uint64_t seed)
@@ -34,7 +45,7 @@ Journal::Journal(std::string folder, std::string_view name, std::uint64_t seed)
 void Journal::add(std::size_t key, const std::function<std::string()>& line) {
   if (folder_.empty() || !known_.insert(key).second) return;
   if (known_.size() == 1) file_ = make_own_file(folder_, name_);
-  if (!file_.empty()) std::ofstream(file_, std::ios::app) << line() << '\n' << std::flush;
+  if (!file_.empty()) append_line(file_, line());
 }
 
 void Journal::end() const {

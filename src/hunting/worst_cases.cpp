@@ -16,30 +16,40 @@ std::string in_digits(double value) {
   return fmt::format("{:.4g}", value);
 }
 
-/// How bad the case is that the file has, if any.
-double kept_value(const std::filesystem::path& file, Gauge gauge, const Collider& collider,
-                  Interruption& interruption) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) return 0;
-  const PairCase kept = read_case_file(file.string()).pair();
-  const auto observed = observed_now(collider, kept, interruption);
-  return observed ? (*observed)[gauge] : 0;
+/// The case that the file has, if it is there.
+std::optional<PairCase> kept_case(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const auto status = std::filesystem::status(file, unknown);
+  if (!std::filesystem::exists(status)) return std::nullopt;
+  if (!std::filesystem::is_regular_file(status)) {  // a pipe may never answer
+    throw UserError(fmt::format("{}: is no file; a case is expected", printable_path(file)));
+  }
+  return read_case_file(file.string()).pair();
 }
 
-void keep(WorstFound& found, const Plan& plan, const std::filesystem::path& corpus,
-          Interruption& interruption) {
-  const auto file = worst_file(corpus, plan.subject.declaration.name, found.gauge);
-  if (found.value > kept_value(file, found.gauge, plan.subject, interruption)) {
-    CorpusCase saved;
-    saved.any = *found.pair;
-    saved.found =
-        Found{.seed = plan.seed,
-              .regime = std::string(kHunted.name),
-              .index = plan.index_of(found.number),
-              .versions = {{plan.subject.declaration.name, plan.subject.declaration.version}}};
-    saved.note = note_of_worst(found.gauge, found.value);
-    write_file(file, format_case(saved));
+void keep(WorstFound& found, const Plan& plan, std::span<const std::filesystem::path> known,
+          const std::filesystem::path& folder, Interruption& interruption) {
+  const std::string& collider = plan.subject.declaration.name;
+  for (const std::filesystem::path& corpus : known) {
+    const auto file = worst_file(corpus, collider, found.gauge);
+    const std::optional<PairCase> kept = kept_case(file);
+    if (kept == found.pair) {
+      found.file = file.string();
+      return;
+    }
+    if (!kept) continue;
+    const auto observed = observed_now(plan.subject, *kept, interruption);
+    if (observed && (*observed)[found.gauge] >= found.value) return;
   }
+  const auto file = worst_file(folder, collider, found.gauge);
+  CorpusCase saved;
+  saved.any = *found.pair;
+  saved.found = Found{.seed = plan.seed,
+                      .regime = std::string(kHunted.name),
+                      .index = plan.index_of(found.number),
+                      .versions = {{collider, plan.subject.declaration.version}}};
+  saved.note = note_of_worst(found.gauge, found.value);
+  write_file(file, format_case(saved));
   found.file = file.string();
 }
 
@@ -78,12 +88,13 @@ std::string note_of_worst(Gauge gauge, double value) {
   }
 }
 
-void keep_worst(Hunt& hunt, const std::filesystem::path& corpus) {
+void keep_worst(Hunt& hunt, std::span<const std::filesystem::path> known,
+                const std::filesystem::path& folder) {
   Interruption interruption;
   for (WorstFound& found : hunt.worst) {
     if (!found.pair) continue;
     try {
-      keep(found, hunt.campaign.plan, corpus, interruption);
+      keep(found, hunt.campaign.plan, known, folder, interruption);
     } catch (const Interrupted&) {
       return;
     } catch (const UserError& error) {

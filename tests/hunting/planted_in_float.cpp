@@ -1,58 +1,16 @@
 // The article's clipping in float with bugs planted as a collider would have them: comparisons of
 // the case's own numbers, some with constants that nothing of its geometry tells. Each loses the
 // contact.
-//
-// MANIFUZZ_PLANTED names a file that counts, for whoever compares how soon bugs are met: whole
-// numbers of 8 bytes, the evaluations and then, of each bug, the first one that met it, or 0.
 
-#include <atomic>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include "../../scripts/colliders/cpp/clip.hpp"
-
-#if defined(__clang__)
-#define MANIFUZZ_NOT_COVERED __attribute__((no_sanitize("coverage"), noinline))
-#else
-#define MANIFUZZ_NOT_COVERED __attribute__((noinline))
-#endif
+#include "planted_counts.hpp"
 
 namespace {
 
-using Count = std::atomic<std::uint64_t>;
-constexpr std::size_t kCounts = 64;
-
-/// In memory that every process has, for a hunt has several.
-MANIFUZZ_NOT_COVERED Count* make_counts() {
-  const char* const path = std::getenv("MANIFUZZ_PLANTED");
-  const int file = path == nullptr ? -1 : open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  constexpr std::size_t size = kCounts * sizeof(Count);
-  if (file < 0 || ftruncate(file, size) != 0) return nullptr;
-  void* const memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-  close(file);
-  return memory == MAP_FAILED ? nullptr : static_cast<Count*>(memory);
-}
-
-MANIFUZZ_NOT_COVERED Count* counts() {
-  static Count* const all = make_counts();
-  return all;
-}
-
-MANIFUZZ_NOT_COVERED void begin_evaluation() {
-  if (counts() != nullptr) ++counts()[0];
-}
-
-/// Notes that the bug is met, and loses the contact.
-MANIFUZZ_NOT_COVERED void meet(std::size_t bug, manifuzz_manifold& manifold) {
-  manifold = {};
-  if (counts() == nullptr) return;
-  std::uint64_t none = 0;
-  counts()[1 + bug].compare_exchange_strong(none, counts()[0]);
-}
+using planted::meet;
 
 float squared(const manifuzz_float2& v) {
   return v.x * v.x + v.y * v.y;
@@ -127,7 +85,7 @@ extern "C" {
 const manifuzz_declaration manifuzz_collider = clip::declaration("planted");
 
 int manifuzz_collide(const manifuzz_body* a, const manifuzz_body* b, manifuzz_manifold* manifold) {
-  begin_evaluation();
+  planted::begin_evaluation();
   clip::collide(*a, *b, *manifold);
   if (manifold->count > 0) plant_in_geometry(*a, *b, *manifold);
   if (manifold->count > 0) plant_in_numbers(*a, *b, *manifold);

@@ -82,6 +82,10 @@ HuntPlan hunt_plan_of(const HuntArguments& options) {
   hunt.compares = !options.is_alone;
   hunt.founders = founders_in(options.from);
   std::erase_if(hunt.founders, [&](const PairCase& pair) { return !is_taken(plan.context, pair); });
+  if (hunt.founders.empty() && !options.from.empty()) {
+    throw UserError(fmt::format("--from: no case was found that both colliders take in {}",
+                                printable_path(options.from.front())));
+  }
   hunt.what = hunt.measure ? fmt::format("a hunt for {}", options.measure) : "a hunt";
   hunt.rounds = rounds_of(options);
   return hunt;
@@ -182,7 +186,7 @@ int hunt(HuntArguments& options) {
     return run_hunt(plan, known, saved, origin,
                     [&](const HuntProgress& progress) { line.show(hunt_line(progress)); });
   }();
-  if (!saved.folder.empty()) keep_worst(hunted, saved.folder);
+  if (!saved.folder.empty()) keep_worst(hunted, options.folders.all(), saved.folder);
   const ShowAgain show{this_program(), options_to_show(options.colliders)};
   Outputs outputs;
   const std::string table = leaves_out_tables(options.json) ? objections(hunted.campaign)
@@ -216,8 +220,8 @@ void add_rounds(CLI::App& app, HuntArguments& options) {
       add_whole_number(app, "--rounds", options.rounds,
                        "number of rounds of a hunt that is dealt to machines", 1, most),
       add_whole_number(app, "--round", options.round,
-                       "which round, from 0 on; it begins with what all shares of the one before "
-                       "have found"),
+                       "which round, from 0 on; it begins with what all shares of the rounds "
+                       "before have found"),
       add_text(app, "--archives", options.archives, "DIR",
                "folder of the archives that the shares of each round write, and those of the next "
                "one read")};

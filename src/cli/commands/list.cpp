@@ -41,8 +41,7 @@ std::string list_colliders() {
          lines_of_colliders(sequence_colliders(), keeper_line);
 }
 
-/// Ends as an error that has the first of these and says how many more there are; what could be
-/// listed is written before.
+/// Writes the lines, then throws an error with the first message and the number of the others.
 [[noreturn]] void end_with(const std::vector<std::string>& errors, const std::string& lines) {
   write_output(lines);
   if (errors.size() == 1) throw UserError(errors.front());
@@ -52,16 +51,21 @@ std::string list_colliders() {
 /// The worst known case of each collider by each measure: what the files of the corpus and of the
 /// findings say.
 std::string list_worst() {
+  namespace fs = std::filesystem;
   Corpus known;
-  for (const std::filesystem::path& folder : CorpusFolders{}.all()) {
-    const std::filesystem::path worst = folder / "worst";
-    if (std::filesystem::exists(worst)) known.add(read_corpus({&worst, 1}));
+  for (const fs::path& folder : CorpusFolders{}.all()) {
+    const fs::path worst = folder / "worst";
+    std::error_code unknown;
+    // A link to nothing is broken, and not missing.
+    const bool is_there = fs::symlink_status(worst, unknown).type() != fs::file_type::not_found;
+    if (is_there) known.add(read_corpus({&worst, 1}));
   }
   std::string lines;
   for (const CorpusCase& one : known.cases) {
-    const std::filesystem::path file(one.path);
-    lines += fmt::format("{:<17} {:<21} {} [{}]\n", file.parent_path().filename().string(),
-                         file.stem().string(), printable(one.note, 200), one.path);
+    const fs::path file(one.path);
+    lines += fmt::format("{:<17} {:<21} {} [{}]\n", printable_path(file.parent_path().filename()),
+                         printable_path(file.stem()), printable(one.note, 200),
+                         printable_path(file));
   }
   if (!known.errors.empty()) end_with(known.errors, lines);
   return lines.empty() ? "none is known: manifuzz hunt finds some\n" : lines;

@@ -3,13 +3,10 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "base/file.hpp"
-#include "support/bad_cases.hpp"
 #include "support/interruption.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
-using namespace manifuzz;
 using namespace manifuzz::test;
 using Json = nlohmann::ordered_json;
 
@@ -123,26 +120,13 @@ TEST_CASE("a hunt that is interrupted keeps what it found") {
   }
 }
 
-TEST_CASE("list worst lists what can be read, and ends with 2 where a file cannot") {
+TEST_CASE("a hunt that is to begin with cases, and finds none, says so") {
   const TemporaryFolder folder;
-  const std::filesystem::path worst = folder.path() / "found" / "worst";
-  const auto listed = [&] {
-    return run_program({"sh", "-c", "cd \"$0\" && exec \"$@\"", folder.path().string(),
-                        manifuzz_path(), "list", "worst"});
-  };
-  SECTION("one of its cases") {
-    write_file(worst / "planck" / "error.json", good_case());
-    write_file(worst / "planck" / "missed.json", "{");
-    const Outcome outcome = listed();
-    CHECK(outcome.status == 2);
-    CHECK_THAT(outcome.out, Catch::StartsWith("planck ") && Catch::Contains("error.json"));
-    CHECK_THAT(outcome.err, Catch::Contains("missed.json"));
-    CHECK(is_one_clear_line(outcome.err));
-  }
-  SECTION("a file in place of the folder") {
-    write_file(worst, "");
-    const Outcome outcome = listed();
-    CHECK(outcome.status == 2);
-    CHECK(is_one_clear_line(outcome.err));
-  }
+  const std::filesystem::path empty = folder.path() / "empty";
+  std::filesystem::create_directory(empty);
+  const Outcome outcome =
+      run_manifuzz(hunt(folder, {"--from", empty.string(), "--cases", "10", "--seed", "1"}));
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Catch::Contains("--from: no case was found"));
+  CHECK(is_one_clear_line(outcome.err));
 }

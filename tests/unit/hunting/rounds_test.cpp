@@ -67,7 +67,7 @@ TEST_CASE("shares of a hunt's rounds find the same in any order, with any number
   CHECK(in_order == archives_of({2, 0, 1}, 3));
 }
 
-TEST_CASE("a round begins with what all shares of the one before have found") {
+TEST_CASE("a round begins with what all shares of the rounds before have found") {
   const TemporaryFolder folder;
   const ArchiveFolder archives = archives_in(folder);
   std::size_t most = 0;
