@@ -25,8 +25,9 @@ std::optional<Observation> observed_now(const Collider& collider, const PairCase
 /// What a file says of its case.
 std::string note_of_worst(Gauge gauge, double value);
 
-/// Writes the hunt's worst case of each gauge to the folder and names its file, but where one of the
-/// known folders has a case that is as bad. What cannot be written is an error of the hunt's saving.
+/// Writes the hunt's worst case of each gauge to the folder and names its file, but where one of
+/// the known folders has a case that is as bad. What cannot be written is an error of the hunt's
+/// saving.
 void keep_worst(Hunt& hunt, std::span<const std::filesystem::path> known,
                 const std::filesystem::path& folder);
 

@@ -63,9 +63,9 @@ std::string list_worst() {
   std::string lines;
   for (const CorpusCase& one : known.cases) {
     const fs::path file(one.path);
-    lines += fmt::format("{:<17} {:<21} {} [{}]\n", printable_path(file.parent_path().filename()),
-                         printable_path(file.stem()), printable(one.note, 200),
-                         printable_path(file));
+    lines +=
+        fmt::format("{:<17} {:<21} {} [{}]\n", printable_path(file.parent_path().filename()),
+                    printable_path(file.stem()), printable(one.note, 200), printable_path(file));
   }
   if (!known.errors.empty()) end_with(known.errors, lines);
   return lines.empty() ? "none is known: manifuzz hunt finds some\n" : lines;

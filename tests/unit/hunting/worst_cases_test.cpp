@@ -22,8 +22,8 @@ namespace {
 
 constexpr Gauge kGauge = Gauge::depth_share;
 
-/// A hunt of `clip` whose worst case is the first sliver from that index on of which a depth's share
-/// is measured.
+/// A hunt of `clip` whose worst case is the first sliver from that index on of which a depth's
+/// share is measured.
 Hunt hunt_with_sliver(std::uint64_t index) {
   Hunt hunt;
   hunt.campaign.plan.subject = make_clip();
@@ -143,7 +143,9 @@ TEST_CASE("list worst lists what can be read, and ends with 2 where a file canno
     CHECK(outcome.out.find('\x1b') == std::string::npos);
   }
   SECTION("what is no folder in place of it") {
-    SECTION("a file") { write_file(worst, ""); }
+    SECTION("a file") {
+      write_file(worst, "");
+    }
     SECTION("a link to nothing or to itself") {
       std::filesystem::create_directory(worst.parent_path());
       std::filesystem::create_symlink("worst", worst);
