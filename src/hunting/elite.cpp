@@ -1,5 +1,7 @@
 #include "hunting/elite.hpp"
 
+#include <algorithm>
+
 namespace manifuzz {
 namespace {
 
@@ -24,6 +26,10 @@ void Elite::keep(std::size_t gauge, const Observation& observed, EntryId entry, 
   const auto last = std::prev(elite.end());
   archive.let_go(last->second);
   elite.erase(last);
+}
+
+bool Elite::is_empty() const {
+  return std::ranges::all_of(of_gauges_, [](const auto& of_gauge) { return of_gauge.empty(); });
 }
 
 std::vector<std::vector<EntryId>> Elite::by_gauge() const {

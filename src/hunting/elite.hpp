@@ -28,6 +28,7 @@ class Elite {
   /// The cases of each gauge that has any, the greatest first. A collider that is right has no
   /// errors, so the gauge of errors has no cases.
   std::vector<std::vector<EntryId>> by_gauge() const;
+  bool is_empty() const;
 
  private:
   bool takes(std::size_t gauge, const Observation& observed) const;

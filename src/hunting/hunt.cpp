@@ -61,10 +61,17 @@ class Hunting {
     for (CaseNumber begun = 0; begun < end && !has_ended(all) && !is_time_up(all);) {
       const SharedQueue::Block cases = bred_->begin_generation(end - begun);
       begun = cases.end;
-      add(all, run_part(plan_, cases, all, interruption));
+      const JobsResult part = run_part(plan_, cases, drawn_ ? 0.5 : 1, all, interruption);
+      const CaseNumber done = part.tally->cases();
+      add(all, part);
       bred_->end_generation(*all.tally);
       keep(journal, *all.tally);
-      if (drawn_ && !has_ended(all)) run_drawn(cases, all, interruption);
+      if (drawn_ && !has_ended(all)) {
+        run_drawn({cases.begin, cases.begin + done}, all, interruption);
+      }
+      met_by_.emplace_back(seconds(all), all.tally->buckets.all().size());
+      // What is bred after a generation that the time cut short would not be there again.
+      if (plan_.seconds && done < cases.end - cases.begin) break;
     }
     return all;
   }
@@ -80,7 +87,7 @@ class Hunting {
     if (hunt_.rounds) result.archived = bred_->archived();
     for (std::size_t k = 0; k < kGauges; ++k) {
       const auto gauge = static_cast<Gauge>(k);
-      if (hunt_.measure && measure_of(gauge) != *hunt_.measure) continue;
+      if (!hunt_seeks(gauge)) continue;
       const Worst& worst = bred_->worst()[k];
       WorstFound found{gauge, worst.value, {}, worst.number, {}};
       if (worst.value > 0) found.pair = bred_->pair(plan_, worst.number);
@@ -99,44 +106,71 @@ class Hunting {
   }
 
  private:
-  /// Keeps the first case of each bucket of somebody's mistakes.
+  /// Keeps the first case of each bucket of somebody's mistakes, and the worst of each gauge.
   void keep(Journal& journal, const Tally& tally) const {
     for (const auto& [bucket, met] : tally.buckets.all()) {
-      if (bucket.fault == Fault::none) continue;
-      journal.add(index_of(bucket), [this, first = met->first] {
-        std::string line;
-        append_found_case_line(line, bred_->pair(plan_, first),
-                               {plan_.seed, std::string(kHunted.name), plan_.index_of(first), {}});
-        return line;
-      });
+      if (bucket.fault != Fault::none) keep(journal, to_string(bucket), 0, met->first);
+    }
+    for (std::size_t k = 0; k < kGauges; ++k) {
+      const auto gauge = static_cast<Gauge>(k);
+      const Worst& worst = bred_->worst()[k];
+      if (worst.value <= 0 || !hunt_seeks(gauge)) continue;
+      keep(journal, name_of(gauge, kGaugeNames), worst.value, worst.number);
     }
   }
 
-  bool is_time_up(const JobsResult& all) const {
-    return plan_.seconds && all.seconds + drawn_all_.seconds >= *plan_.seconds;
+  void keep(Journal& journal, std::string_view key, double value, CaseNumber number) const {
+    journal.add(key, value, [&] {
+      std::string line;
+      append_found_case_line(line, bred_->pair(plan_, number),
+                             {plan_.seed, std::string(kHunted.name), plan_.index_of(number), {}});
+      return line;
+    });
   }
 
-  JobsResult run_part(const Plan& plan, SharedQueue::Block cases, const JobsResult& all,
-                      Interruption& interruption) {
-    Plan part = plan;  // with the time that is left
-    if (plan.seconds) part.seconds = *plan.seconds - all.seconds - drawn_all_.seconds;
+  bool hunt_seeks(Gauge gauge) const {
+    return !hunt_.measure || measure_of(gauge) == *hunt_.measure;
+  }
+
+  double seconds(const JobsResult& all) const { return all.seconds + drawn_all_.seconds; }
+
+  bool is_time_up(const JobsResult& all) const {
+    return plan_.seconds && seconds(all) >= *plan_.seconds;
+  }
+
+  /// Takes at most that share of the time that is left.
+  JobsResult run_part(const Plan& plan, SharedQueue::Block cases, double share,
+                      const JobsResult& all, Interruption& interruption) {
+    Plan part = plan;
+    if (plan.seconds) part.seconds = share * (*plan.seconds - seconds(all));
     return run_jobs(part, cases, interruption, [&](const Progress& so_far) { show(so_far, all); });
   }
 
   void run_drawn(SharedQueue::Block cases, JobsResult& all, Interruption& interruption) {
     drawn_->begin_part(cases);
-    add(drawn_all_, run_part(drawn_plan_, cases, all, interruption));
+    add(drawn_all_, run_part(drawn_plan_, cases, 1, all, interruption));
     drawn_->end_part();
     all.interrupted = drawn_all_.interrupted;
+  }
+
+  /// Of the later half of the time until now: what a hunt has found long ago does not count.
+  double new_a_second(std::size_t behaviours, double until) const {
+    std::pair<double, std::size_t> before{};
+    for (const auto& met : met_by_) {
+      if (met.first <= until / 2) before = met;
+    }
+    const double time = until - before.first;
+    return time > 0 ? static_cast<double>(behaviours - before.second) / time : 0;
   }
 
   void show(const Progress& so_far, const JobsResult& all) const {
     const auto tally = std::make_unique<Tally>(*all.tally);
     HuntProgress progress{.plan = plan_,
-                          .cases = {*tally, all.seconds + drawn_all_.seconds + so_far.seconds},
+                          .cases = {*tally, seconds(all) + so_far.seconds},
                           .cells = bred_->cell_count(),
                           .cells_drawn = {},
                           .behaviours = tally->buckets.all().size()};
+    progress.behaviours_a_second = new_a_second(progress.behaviours, progress.cases.seconds);
     if (drawn_) progress.cells_drawn = drawn_->cell_count();
     for (std::size_t k = kGauges; k-- > 0;) {
       if (bred_->worst()[k].value <= 0) continue;
@@ -153,6 +187,8 @@ class Hunting {
   std::shared_ptr<HuntedPairs> bred_;
   std::shared_ptr<ObservedPairs> drawn_;
   JobsResult drawn_all_{.tally = std::make_unique<Tally>()};
+  /// After how many seconds how many behaviours were met, a generation each.
+  std::vector<std::pair<double, std::size_t>> met_by_;
 };
 
 }  // namespace

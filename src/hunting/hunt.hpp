@@ -39,9 +39,10 @@ struct HuntProgress {
   Progress cases;
   std::size_t cells = 0;
   std::optional<std::size_t> cells_drawn;
-  double worst = 0;               ///< of the first measure that has any
-  Gauge worst_of = Gauge::error;  ///< which that is
-  std::size_t behaviours = 0;     ///< buckets that were met
+  double worst = 0;                ///< of the first measure that has any
+  Gauge worst_of = Gauge::error;   ///< which that is
+  std::size_t behaviours = 0;      ///< buckets that were met
+  double behaviours_a_second = 0;  ///< new ones, lately
 };
 using OnHuntProgress = std::function<void(const HuntProgress&)>;
 

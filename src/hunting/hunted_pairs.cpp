@@ -100,9 +100,11 @@ std::array<double, HuntedPairs::kSources> HuntedPairs::shares_of_sources() const
                                Source::kind_cell, Source::count_cell, Source::newest};
   // Each has enough to be seen when it does better; cells of counts are few, and lead to others
   // when they no longer fill.
-  for (const Source source : filling) shares[at(source)] = 0.08;
-  shares[at(Source::count_cell)] = 0.15;
-  shares[at(Source::worst)] = 0.2;
+  const double of_greatest = elite_.is_empty() ? 0 : aim().bred_from_greatest;
+  const double of_filling = 1 - of_greatest;
+  for (const Source source : filling) shares[at(source)] = 0.1 * of_filling;
+  shares[at(Source::count_cell)] = 0.1875 * of_filling;
+  shares[at(Source::worst)] = of_greatest;
   const double rest = 1 - std::accumulate(shares.begin(), shares.end(), 0.0);
   const auto yield_of = [&](Source source) {
     const Yield& yield = yields_[at(source)];

@@ -104,11 +104,14 @@ double value_of(const Observation& observed, const std::optional<Measure>& measu
 }
 
 Aim aim_at(const std::optional<Measure>& measure) {
-  return {.seeks =
+  Aim aim{.seeks =
               [measure](std::size_t gauge) {
                 return !measure || measure_of(static_cast<Gauge>(gauge)) == *measure;
               },
           .value = [measure](const Observation& observed) { return value_of(observed, measure); }};
+  // Who names a measure wants its greatest more than new cells.
+  if (measure) aim.bred_from_greatest = 0.6;
+  return aim;
 }
 
 }  // namespace manifuzz

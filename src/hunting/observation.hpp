@@ -64,6 +64,7 @@ struct Aim {
   std::size_t gauges = kGauges;  ///< the first so many are gauged
   std::function<bool(std::size_t gauge)> seeks;
   std::function<double(const Observation&)> value;
+  double bred_from_greatest = 0.2;  ///< the share of cases that have one of them as a parent
 };
 
 /// At a measure of what two colliders answer; none: at all of them.

@@ -78,6 +78,7 @@ void PropertyChecks::add_check(const Plan& plan, CaseNumber number, std::size_t 
   if (is_first) hunted.first = number;
   if (check.kind == OutcomeKind::fails && (is_first || check.measure > hunted.worst)) {
     hunted.failing = pair(plan, number);
+    hunted.failing_number = number;
   }
   hunted.worst = std::max(hunted.worst, check.measure);
 }

@@ -21,6 +21,7 @@ struct HuntedProperty {
   double worst = 0;                   ///< the greatest measure
   /// The case of the worst failure, the first of equals; none: it holds of all.
   std::optional<PairCase> failing{};
+  CaseNumber failing_number = 0;
 };
 
 /// The measure of an outcome; 0 where it has none.

@@ -95,16 +95,16 @@ PropertyResult result_of(const HuntedProperty& hunted, const Collider& subject,
   return result;
 }
 
-/// Keeps the first case on which each property fails.
+/// Keeps the case of the worst failure of each property.
 void keep(Journal& journal, const PropertyChecks& bred, const Plan& plan) {
   for (std::size_t k = 0; k < bred.hunted().size(); ++k) {
     const HuntedProperty& hunted = bred.hunted()[k];
-    if (!hunted.first) continue;
-    journal.add(k, [&] {
+    if (!hunted.failing) continue;
+    journal.add(hunted.property->name, hunted.worst, [&] {
       std::string line;
       append_found_case_line(
-          line, bred.pair(plan, *hunted.first),
-          {plan.seed, std::string(kHunted.name), plan.index_of(*hunted.first), {}},
+          line, *hunted.failing,
+          {plan.seed, std::string(kHunted.name), plan.index_of(hunted.failing_number), {}},
           hunted.property->name);
       return line;
     });

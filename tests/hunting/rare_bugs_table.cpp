@@ -81,7 +81,11 @@ int table(std::string_view how, std::uint64_t seed, std::uint64_t cases) {
 }  // namespace manifuzz::test
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
+  const std::string_view way = argc == 4 ? argv[1] : "";
+  const auto is_number = [](std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  if ((way != "draw" && way != "hunt") || !is_number(argv[2]) || !is_number(argv[3])) {
     fmt::print(stderr,
                "manifuzz_rare_bugs: draw or hunt, a seed and a number of cases are expected\n");
     return 2;

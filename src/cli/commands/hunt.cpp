@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "campaign/result.hpp"
 #include "cli/campaign_options.hpp"
@@ -55,13 +56,29 @@ std::optional<Measure> measure_named(const std::string& name) {
   return static_cast<Measure>(found - kMeasureNames.begin());
 }
 
-/// The pair cases in the files and folders that --from names, one broken file being an error.
-std::vector<PairCase> founders_in(const std::vector<std::string>& named) {
+/// The pair cases that the plan's colliders take in the files and folders that --from names, one
+/// broken file being an error; says how many others are there, and how many come too late.
+std::vector<PairCase> founders_in(const std::vector<std::string>& named, const Plan& plan) {
   const std::vector<std::filesystem::path> paths(named.begin(), named.end());
   const Corpus corpus = read_corpus(paths);
   if (!corpus.errors.empty()) throw UserError(corpus.errors.front());
   std::vector<PairCase> founders;
-  for (const CorpusCase& one : corpus.cases) founders.push_back(one.pair());
+  for (const CorpusCase& one : corpus.cases) {
+    if (is_taken(plan.context, one.pair())) founders.push_back(one.pair());
+  }
+  const std::size_t given = corpus.cases.size() + corpus.others.size();
+  if (founders.empty() && !named.empty()) {
+    throw UserError(fmt::format("--from: no case was found that both colliders take in {}",
+                                printable_path(named.front())));
+  }
+  if (founders.size() < given) {
+    write_error(fmt::format("--from: {} of {} left out, no pairs that both colliders take\n",
+                            given - founders.size(), counted(given, "case")));
+  }
+  if (plan.cases && *plan.cases < founders.size()) {
+    write_error(fmt::format("--from: --cases {} leaves {} untried\n", *plan.cases,
+                            counted(founders.size() - *plan.cases, "case")));
+  }
   return founders;
 }
 
@@ -80,12 +97,7 @@ HuntPlan hunt_plan_of(const HuntArguments& options) {
   plan.jobs = jobs_of(options.jobs);
   hunt.measure = measure_named(options.measure);
   hunt.compares = !options.is_alone;
-  hunt.founders = founders_in(options.from);
-  std::erase_if(hunt.founders, [&](const PairCase& pair) { return !is_taken(plan.context, pair); });
-  if (hunt.founders.empty() && !options.from.empty()) {
-    throw UserError(fmt::format("--from: no case was found that both colliders take in {}",
-                                printable_path(options.from.front())));
-  }
+  hunt.founders = founders_in(options.from, plan);
   hunt.what = hunt.measure ? fmt::format("a hunt for {}", options.measure) : "a hunt";
   hunt.rounds = rounds_of(options);
   return hunt;

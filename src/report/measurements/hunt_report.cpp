@@ -43,8 +43,8 @@ std::string hunt_line(const HuntProgress& progress) {
   std::string line = fmt::format("{} cases, {:.0f} a second; {} cells", cases,
                                  per_second(cases, seconds), progress.cells);
   if (progress.cells_drawn) line += fmt::format(" ({} by drawing)", *progress.cells_drawn);
-  line += fmt::format("; {}, {:.2g} a second", counted(progress.behaviours, "behaviour"),
-                      per_second(progress.behaviours, seconds));
+  line += fmt::format("; {}, {:.2g} new a second lately", counted(progress.behaviours, "behaviour"),
+                      progress.behaviours_a_second);
   if (progress.worst > 0) {
     line +=
         fmt::format("; worst {} {:.3g}", name_of(progress.worst_of, kGaugeNames), progress.worst);

@@ -1,5 +1,8 @@
 #include "hunting/hunt.hpp"
 
+#include <chrono>
+#include <thread>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -62,6 +65,32 @@ TEST_CASE("a hunt fills more cells, and finds worse, than as many drawn cases") 
   }
 }
 
+TEST_CASE("of a collider too slow for one generation in its time, cases are drawn for comparison") {
+  Collider slow = make_clip();
+  slow.with_tie_bias = nullptr;
+  slow.collide = [clip = make_clip()](const PairCase& pair) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(4));
+    return clip.collide(pair);
+  };
+  HuntPlan plan = plan_of(slow, make_clip(), 0, 1);
+  plan.plan.cases.reset();
+  plan.plan.seconds = 2;
+  const Hunt hunt = run(plan);
+  CHECK(hunt.generations == 1);
+  CHECK(hunt.campaign.result.cases() > 0);
+  CHECK(*hunt.cells_drawn > 0);
+}
+
+TEST_CASE("a hunt that names a measure breeds more from its greatest, and so fills fewer cells") {
+  HuntPlan plan = plan_of(make_clip(), make_clip(), 10'000, 2);
+  plan.compares = false;
+  const Hunt of_all = run(plan);
+  plan.measure = Measure::bound_share;
+  const Hunt of_shares = run(plan);
+  CHECK(of_shares.cells < of_all.cells);
+  CHECK(of_shares.cells > of_all.cells / 2);
+}
+
 TEST_CASE("a bug that drawing meets once in a million cases is found, shrunk and saved",
           "[longer]") {
   const TemporaryFolder folder;
@@ -93,13 +122,10 @@ namespace {
 Hunt hunt_saving_to(const std::filesystem::path& folder, const std::function<void()>& on_saving) {
   HuntPlan plan = plan_of(with_rare_bug("climb_stops_short"), make_clip(), 100'000, 2);
   plan.compares = false;
-  const Origin nowhere{
-      "manifuzz hunt",
-      {{"machine", ""}, {"compiler", ""}, {"versions", nlohmann::ordered_json::object()}}};
-  return run_hunt(plan, {}, {.folder = folder.string(), .shrink_seconds = 1}, nowhere,
-                  [&](const HuntProgress& progress) {
-                    if (!progress.cases.saving.empty()) on_saving();
-                  });
+  return run(plan, {.folder = folder.string(), .shrink_seconds = 1},
+             [&](const HuntProgress& progress) {
+               if (!progress.cases.saving.empty()) on_saving();
+             });
 }
 
 }  // namespace
@@ -113,6 +139,27 @@ TEST_CASE("what is found stands in a file while a hunt runs, and goes when it is
       folder.path(), [&] { was_there = was_there || std::filesystem::exists(journal); });
   REQUIRE(has_failed(hunt.campaign.result));
   CHECK(was_there);
+  CHECK_FALSE(std::filesystem::exists(journal));
+}
+
+TEST_CASE("while a hunt runs, the worst until then stand in its file, also of a right collider") {
+  const TemporaryFolder folder;
+  const std::filesystem::path journal = folder.path() / "found" / "hunt-4.jsonl";
+  HuntPlan plan = plan_of(make_clip(), make_clip(), 2000, 1);
+  plan.compares = false;
+  const Hunt shorter = run(plan);
+  plan.plan.cases = 20'000;
+  std::string last;
+  run(plan, {.folder = journal.parent_path().string()}, [&](const HuntProgress&) {
+    if (std::filesystem::exists(journal)) last = InputFile(journal.string()).read_all();
+  });
+  for (const WorstFound& found : shorter.worst) {
+    if (!found.pair) continue;
+    std::string line;
+    append_case_line(line, *found.pair);
+    const std::string vertices = line.substr(line.find("\"a\""), 200);
+    CHECK_THAT(last, Catch::Contains(vertices));
+  }
   CHECK_FALSE(std::filesystem::exists(journal));
 }
 

@@ -132,11 +132,12 @@ TEST_CASE("what fails properties stands in a file until a hunt of them has saved
   {
     run_property(plan);  // and no more, as of a hunt that is killed
     const Corpus left = read_corpus_folder(folder.path());
-    REQUIRE(left.cases.size() == 1);
-    const CorpusCase& first = left.cases.front();
-    CHECK(first.property == "depth-is-overlap");
-    const Property& property = *find_by_name(properties(), first.property);
-    CHECK(check(property, plan.subject, first.pair()).kind == PropertyOutcome::Kind::fails);
+    REQUIRE_FALSE(left.cases.empty());
+    for (const CorpusCase& one : left.cases) {
+      CHECK(one.property == "depth-is-overlap");
+      const Property& property = *find_by_name(properties(), one.property);
+      CHECK(check(property, plan.subject, one.pair()).kind == PropertyOutcome::Kind::fails);
+    }
     std::filesystem::remove(journal);
   }
   const std::vector<CheckedProperty> saved = checked(plan, plan.save_to);

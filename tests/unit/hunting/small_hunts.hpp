@@ -20,11 +20,13 @@ inline HuntPlan plan_of(const Collider& subject, const Collider& oracle, std::ui
   return hunt;
 }
 
-inline Hunt run(const HuntPlan& plan, const SaveTo& save_to = {}) {
+inline Hunt run(
+    const HuntPlan& plan, const SaveTo& save_to = {},
+    const OnHuntProgress& on_progress = [](const HuntProgress&) {}) {
   const Origin nowhere{
       "manifuzz hunt",
       {{"machine", ""}, {"compiler", ""}, {"versions", nlohmann::ordered_json::object()}}};
-  return run_hunt(plan, {}, save_to, nowhere, [](const HuntProgress&) {});
+  return run_hunt(plan, {}, save_to, nowhere, on_progress);
 }
 
 }  // namespace manifuzz::test

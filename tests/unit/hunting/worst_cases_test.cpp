@@ -106,17 +106,41 @@ TEST_CASE("a pipe in place of a worst case is an error, and not waited for") {
 TEST_CASE("a journal has whole lines alone, also where the disk has been full") {
   const TemporaryFolder folder;
   Journal journal(folder.path().string(), "hunt", 1);
-  const auto add = [&](std::size_t key) {
-    journal.add(key, [&] { return std::string(60, static_cast<char>('a' + key)); });
+  const auto add = [&](char key) {
+    journal.add(std::string(1, key), 0, [&] { return std::string(60, key); });
   };
   {
     const SmallFiles small(100);
-    add(0);
-    add(1);
+    add('a');
+    add('b');
   }
-  add(2);
+  add('c');
   CHECK(InputFile((folder.path() / "hunt-1.jsonl").string()).read_all() ==
         std::string(60, 'a') + "\n" + std::string(60, 'c') + "\n");
+}
+
+TEST_CASE("a journal has each greater value of a key, and takes the folder that it made away") {
+  const TemporaryFolder folder;
+  const std::filesystem::path found = folder.path() / "found";
+  Journal journal(found.string(), "hunt", 1);
+  const auto add = [&](double value, const std::string& line) {
+    journal.add("error", value, [&] { return line; });
+  };
+  add(1, "one");
+  add(1, "one again");
+  add(3, "three");
+  add(2, "two");
+  CHECK(InputFile((found / "hunt-1.jsonl").string()).read_all() == "one\nthree\n");
+  SECTION("where nothing else is there") {
+    journal.end();
+    CHECK_FALSE(std::filesystem::exists(found));
+  }
+  SECTION("but nothing that is there besides") {
+    write_file(found / "other.json", "");
+    journal.end();
+    CHECK(std::filesystem::exists(found / "other.json"));
+    CHECK_FALSE(std::filesystem::exists(found / "hunt-1.jsonl"));
+  }
 }
 
 TEST_CASE("list worst lists what can be read, and ends with 2 where a file cannot") {
