@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "campaign/hunts/filled_cells.hpp"
 #include "geometry/pair_case.hpp"
 #include "hunting/observation.hpp"
 
@@ -65,6 +66,7 @@ class Archive {
     for (const Tuples& tuples : tuples_) cells += tuples.cells.size();
     return cells;
   }
+  FilledCells filled() const { return {cell_count(), cell_count(Set::pairs)}; }
   bool is_empty() const { return cell_count() == 0; }
 
   struct Cell {

@@ -199,14 +199,14 @@ std::vector<ArchivedCase> read_rounds_before(const ArchiveFolder& folder, std::u
   return best;
 }
 
-std::size_t cells_of_all(const ArchiveFolder& folder) {
+FilledCells cells_of_all(const ArchiveFolder& folder) {
   Archive archive;
   for_each_archive(folder, folder.rounds.rounds, [&](const std::vector<ArchivedCase>& more) {
     for (const ArchivedCase& one : more) {
       archive.add(one.observed, 0, [&] { return one.pair; });
     }
   });
-  return archive.cell_count();
+  return archive.filled();
 }
 
 }  // namespace manifuzz

@@ -35,6 +35,6 @@ std::vector<ArchivedCase> read_archive(const ArchiveFolder& folder, const RoundS
 std::vector<ArchivedCase> read_rounds_before(const ArchiveFolder& folder, std::uint64_t round);
 
 /// How many cells all rounds fill together. Throws UserError as `read_archive` does.
-std::size_t cells_of_all(const ArchiveFolder& folder);
+FilledCells cells_of_all(const ArchiveFolder& folder);
 
 }  // namespace manifuzz

@@ -79,7 +79,7 @@ class Hunting {
   Hunt finished(Campaign campaign) const {
     Hunt result{.campaign = std::move(campaign),
                 .generations = bred_->generations(),
-                .cells = bred_->cell_count(),
+                .cells = bred_->filled(),
                 .cells_drawn = {},
                 .worst = {},
                 .what = hunt_.what,
@@ -95,7 +95,7 @@ class Hunting {
       result.worst.push_back(found);
     }
     if (!drawn_) return result;
-    result.cells_drawn = drawn_->cell_count();
+    result.cells_drawn = drawn_->filled();
     for (const BucketTallies::Met& met : drawn_all_.tally->buckets.all()) {
       const bool is_hunted = result.campaign.run.tally->buckets.find(met.bucket) != nullptr;
       if (met.bucket.fault != Fault::none && !is_hunted) {
@@ -167,11 +167,11 @@ class Hunting {
     const auto tally = std::make_unique<Tally>(*all.tally);
     HuntProgress progress{.plan = plan_,
                           .cases = {*tally, seconds(all) + so_far.seconds},
-                          .cells = bred_->cell_count(),
+                          .cells = bred_->filled().all,
                           .cells_drawn = {},
                           .behaviours = tally->buckets.all().size()};
     progress.behaviours_a_second = new_a_second(progress.behaviours, progress.cases.seconds);
-    if (drawn_) progress.cells_drawn = drawn_->cell_count();
+    if (drawn_) progress.cells_drawn = drawn_->filled().all;
     for (std::size_t k = kGauges; k-- > 0;) {
       if (bred_->worst()[k].value <= 0) continue;
       progress.worst = bred_->worst()[k].value;

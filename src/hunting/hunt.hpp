@@ -50,8 +50,8 @@ using OnHuntProgress = std::function<void(const HuntProgress&)>;
 struct Hunt {
   Campaign campaign;
   std::size_t generations = 0;
-  std::size_t cells = 0;
-  std::optional<std::size_t> cells_drawn;
+  FilledCells cells;
+  std::optional<FilledCells> cells_drawn;
   std::vector<WorstFound> worst;             ///< of each gauge of the measure
   std::vector<std::string> buckets_drawn{};  ///< of somebody's mistakes that drawn cases alone met
   std::string what{};                        ///< as the plan's

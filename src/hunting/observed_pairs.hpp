@@ -36,7 +36,7 @@ class ObservedPairs : public WorkOnPairs {
   /// Takes what became of them into the archive. Cases are made there if they are to be bred from.
   void end_part();
 
-  std::size_t cell_count() const { return archive_.cell_count(); }
+  FilledCells filled() const { return archive_.filled(); }
   const WorstOfGauges& worst() const { return worst_; }
 
  protected:

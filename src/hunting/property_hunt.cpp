@@ -125,7 +125,7 @@ PropertyHunt hunt_properties(const PropertyHuntPlan& hunt, Interruption& interru
     on_progress({.cases = all.tally->cases() + so_far.tally.cases(),
                  .of = hunt.cases,
                  .seconds = all.seconds + so_far.seconds,
-                 .cells = bred->cell_count(),
+                 .cells = bred->filled().all,
                  .hunted = bred->hunted()});
   };
   for (CaseNumber begun = 0; begun < hunt.cases && !has_ended(all);) {
@@ -141,7 +141,7 @@ PropertyHunt hunt_properties(const PropertyHuntPlan& hunt, Interruption& interru
           .cases = all.tally->cases(),
           .seconds = all.seconds,
           .generations = bred->generations(),
-          .cells = bred->cell_count(),
+          .cells = bred->filled().all,
           .journal = std::move(journal)};
 }
 

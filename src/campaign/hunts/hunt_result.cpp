@@ -1,6 +1,7 @@
 #include "campaign/hunts/hunt_result.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <tuple>
 
@@ -16,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using HuntCount = std::optional<std::uint64_t>;
 
 template <class T>
 Json known_or_null(const std::optional<T>& value) {
@@ -30,8 +30,21 @@ auto read_unless_null(const JsonView& object, std::string_view key, const Read& 
   return member.is_null() ? Value{} : Value{read(member)};
 }
 
-HuntCount count_or_null(const JsonView& object, std::string_view key) {
-  return read_unless_null(object, key, [&](const JsonView&) { return count_in(object, key); });
+/// In "cells" and "pairs_of_conditions", or those keys with "_drawn" behind them.
+constexpr std::array<std::string_view, 2> kHuntedKeys{"cells", "pairs_of_conditions"};
+constexpr std::array<std::string_view, 2> kDrawnKeys{"cells_drawn", "pairs_of_conditions_drawn"};
+
+void add_cells(Json& json, const std::array<std::string_view, 2>& keys,
+               const std::optional<FilledCells>& cells) {
+  json[keys[0]] = cells ? Json(cells->all) : Json();
+  json[keys[1]] = cells ? Json(cells->of_pairs) : Json();
+}
+
+std::optional<FilledCells> read_cells(const JsonView& root,
+                                      const std::array<std::string_view, 2>& keys) {
+  return read_unless_null(root, keys[0], [&](const JsonView&) {
+    return FilledCells{count_in(root, keys[0]), count_or(root, keys[1], 0)};
+  });
 }
 
 Json json_of_row(const HuntRow& row) {
@@ -91,8 +104,8 @@ void add_hunt(const HuntResult& hunt, Json& json) {
     json["cases_dealt"] = hunt.cases_dealt;
   }
   json["generations"] = hunt.generations;
-  json["cells"] = known_or_null(hunt.cells);
-  json["cells_drawn"] = known_or_null(hunt.cells_drawn);
+  add_cells(json, kHuntedKeys, hunt.cells);
+  add_cells(json, kDrawnKeys, hunt.cells_drawn);
   json["rows"] = Json::array();
   for (const HuntRow& row : hunt.rows) json["rows"].push_back(json_of_row(row));
   json["buckets_drawn"] = hunt.buckets_drawn;
@@ -104,8 +117,8 @@ std::optional<HuntResult> read_hunt(const JsonView& root) {
                   .shares = count_or(root, "shares", 0),
                   .cases_dealt = count_or(root, "cases_dealt", 0),
                   .generations = count_in(root, "generations"),
-                  .cells = count_or_null(root, "cells"),
-                  .cells_drawn = count_or_null(root, "cells_drawn")};
+                  .cells = read_cells(root, kHuntedKeys),
+                  .cells_drawn = read_cells(root, kDrawnKeys)};
   if (hunt.rounds > 0 && hunt.shares == 0) {
     root.at("shares").fail("is 0; rounds are dealt in at least 1");
   }
@@ -119,8 +132,13 @@ void add_hunt(CampaignResult& sum, const CampaignResult& run) {
   const bool is_first = !sum.hunt;
   if (is_first) sum.hunt = HuntResult{run.hunt->rounds, run.hunt->shares, run.hunt->cases_dealt};
   HuntResult& hunt = *sum.hunt;
-  hunt.cells = is_first ? run.hunt->cells : HuntCount{};
-  hunt.cells_drawn = is_first ? run.hunt->cells_drawn : HuntCount{};
+  if (is_first) {
+    hunt.cells = run.hunt->cells;
+    hunt.cells_drawn = run.hunt->cells_drawn;
+  } else {
+    hunt.cells.reset();
+    hunt.cells_drawn.reset();
+  }
   hunt.generations += run.hunt->generations;
   for (const HuntRow& row : run.hunt->rows) add_row(hunt.rows, row);
   std::vector<std::string>& drawn = hunt.buckets_drawn;

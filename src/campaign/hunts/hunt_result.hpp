@@ -9,6 +9,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "base/json.hpp"
+#include "campaign/hunts/filled_cells.hpp"
 
 namespace manifuzz {
 
@@ -31,8 +32,8 @@ struct HuntResult {
   std::uint64_t shares = 0;       ///< of each round
   std::uint64_t cases_dealt = 0;  ///< to all shares of all rounds; 0: an older version's
   std::uint64_t generations = 0;
-  std::optional<std::uint64_t> cells{};  ///< none: of several runs, whose archives were not read
-  std::optional<std::uint64_t> cells_drawn{};
+  std::optional<FilledCells> cells{};  ///< none: of several runs, whose archives were not read
+  std::optional<FilledCells> cells_drawn{};
   std::vector<HuntRow> rows{};
   std::vector<std::string> buckets_drawn{};  ///< that drawn cases alone met
 };

@@ -64,8 +64,12 @@ std::string hunt_rows(const Hunt& hunt) {
                   fmt::format("worst after {}", counted(hunt.generations, "generation")), "hunted",
                   is_compared ? "drawn" : "");
   text += lines_of(hunt.worst, row_of);
-  text += fmt::format("{:<40}{:>12}{:>12}\n", "cells filled", hunt.cells,
-                      is_compared ? fmt::format("{}", *hunt.cells_drawn) : "");
+  const auto add_cells = [&](std::string_view what, std::uint64_t FilledCells::*count) {
+    text += fmt::format("{:<40}{:>12}{:>12}\n", what, hunt.cells.*count,
+                        is_compared ? fmt::format("{}", (*hunt.cells_drawn).*count) : "");
+  };
+  add_cells("cells filled", &FilledCells::all);
+  add_cells("of these, of pairs of conditions", &FilledCells::of_pairs);
   if (!hunt.buckets_drawn.empty()) {
     text += fmt::format("met by drawing alone: {}\n", fmt::join(hunt.buckets_drawn, ", "));
   }

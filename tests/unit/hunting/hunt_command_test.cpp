@@ -24,12 +24,14 @@ TEST_CASE("a hunt's JSON has every key that is promised") {
       run_manifuzz(hunt(folder, {"--seed", "1", "--cases", "3000", "--no-save", "--json", "-"}));
   CAPTURE(outcome.err);
   const Json json = Json::parse(outcome.out);
-  for (const char* const key : {"machine", "compiler", "seed", "versions", "cases", "seconds",
-                                "generations", "cells", "cells_drawn", "rows", "buckets"}) {
+  for (const char* const key :
+       {"machine", "compiler", "seed", "versions", "cases", "seconds", "generations", "cells",
+        "cells_drawn", "pairs_of_conditions", "pairs_of_conditions_drawn", "rows", "buckets"}) {
     CHECK(json.contains(key));
   }
   CHECK(json["cases"] == 3000);
-  CHECK(json["cells"] > json["generations"]);
+  CHECK(json["cells"] > json["pairs_of_conditions"]);
+  CHECK(json["pairs_of_conditions"] > json["generations"]);
   std::vector<std::string> measures;
   for (const Json& row : json["rows"]) {
     measures.push_back(row.at("measure"));

@@ -72,7 +72,7 @@ TEST_CASE("a round begins with what all shares of the rounds before have found")
   const ArchiveFolder archives = archives_in(folder);
   std::size_t most = 0;
   for (std::uint64_t share = 0; share < kRounds.shares; ++share) {
-    most = std::max(most, run_share(archives, {0, share}, 2).cells);
+    most = std::max(most, run_share(archives, {0, share}, 2).cells.all);
   }
   const std::vector<ArchivedCase> best = read_rounds_before(archives, 1);
   Archive all;
@@ -80,7 +80,7 @@ TEST_CASE("a round begins with what all shares of the rounds before have found")
   Elite elite(aim);
   for (const ArchivedCase& one : best) add_to(all, elite, one, aim);
   CHECK(all.cell_count() > most);
-  CHECK(run_share(archives, {1, 0}, 2).cells > all.cell_count());
+  CHECK(run_share(archives, {1, 0}, 2).cells.all > all.cell_count());
 }
 
 TEST_CASE("the best of archives is the same whatever is added first") {
