@@ -26,6 +26,20 @@ bool has_vertex_inside(const ConvexPolygon<Scalar>& polygon, const ConvexPolygon
   return polygon.count >= kMinVertices && std::ranges::any_of(opposing.corners(), is_inside);
 }
 
+/// The square of how near the outlines of two cores are, whether these overlap or not.
+template <class Scalar>
+double squared_between_outlines(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
+  double least = squared_length(nearest_vertices(a, b).apart);
+  for_each_face(a, b, [&](Side side, const auto& polygon, int face_index, const auto& opposing) {
+    for_each_before_face(polygon, side, face_index, opposing,
+                         [&](const NearestPlaces<Scalar>&, Scalar separation) {
+                           const auto wide = static_cast<double>(separation);
+                           least = std::min(least, wide * wide);
+                         });
+  });
+  return least;
+}
+
 /// Whether cores overlap by more than rounding, so that faces decide. Where one holds a vertex of
 /// the other they do, however rounding moved the face that separates most. What overlaps has its
 /// outlines at least as near as the overlap is deep: segments on one line, end to end, do not,

@@ -217,6 +217,19 @@ Scalar slip_along_edges(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scal
                    slip(b, places.features.b.index, -places.apart), Scalar(0)});
 }
 
+/// The vertices at which a walk from the nearest ones ends, where these are no nearer than rounding
+/// hides, a length: of vertices as near as others faces tell which are nearest.
+template <class Scalar>
+NearestPlaces<Scalar> nearest_vertices_by_faces(const ConvexPolygon<Scalar>& a,
+                                                const ConvexPolygon<Scalar>& b, Scalar roundoff) {
+  const NearestPlaces<Scalar> nearest = nearest_vertices(a, b);
+  const NearestPlaces<Scalar> walked =
+      walk_nearer(a, nearest.features.a.index, b, nearest.features.b.index);
+  const double farther =
+      std::sqrt(squared_length(walked.apart)) - std::sqrt(squared_length(nearest.apart));
+  return farther <= static_cast<double>(roundoff) ? walked : nearest;
+}
+
 /// Where two cores are nearest that are apart by more than rounding: at the nearest vertices, or
 /// at the nearest corner before a face unless it is farther away by more than these are off, or
 /// than `roundoff`, a length. No face is asked for its deepest vertex, since rounding, of placing
@@ -225,7 +238,7 @@ Scalar slip_along_edges(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scal
 template <class Scalar>
 NearestPlaces<Scalar> nearest_of_all(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b,
                                      Scalar roundoff) {
-  NearestPlaces<Scalar> nearest = nearest_vertices(a, b);
+  NearestPlaces<Scalar> nearest = nearest_vertices_by_faces(a, b, roundoff);
   const Scalar off = std::min(slip_along_edges(a, b, nearest), roundoff);
   double least = std::sqrt(squared_length(nearest.apart)) + static_cast<double>(off);
   const auto take_nearer = [&](const NearestPlaces<Scalar>& places, Scalar separation) {
@@ -281,20 +294,6 @@ NearestPlaces<Scalar> nearest_places(const ConvexPolygon<Scalar>& a, const Conve
   // A corner on the other core's outline, or inside, is before faces of its far side as well.
   const bool are_apart = std::max(of_a.separation, of_b.separation) > roundoff;
   return are_apart ? nearest_of_all(a, b, roundoff + misfit) : nearest_vertices(a, b);
-}
-
-/// The square of how near the outlines of two cores are, whether these overlap or not.
-template <class Scalar>
-double squared_between_outlines(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scalar>& b) {
-  double least = squared_length(nearest_vertices(a, b).apart);
-  for_each_face(a, b, [&](Side side, const auto& polygon, int face_index, const auto& opposing) {
-    for_each_before_face(polygon, side, face_index, opposing,
-                         [&](const NearestPlaces<Scalar>&, Scalar separation) {
-                           const auto wide = static_cast<double>(separation);
-                           least = std::min(least, wide * wide);
-                         });
-  });
-  return least;
 }
 
 }  // namespace manifuzz::clipping
