@@ -217,8 +217,8 @@ Scalar slip_along_edges(const ConvexPolygon<Scalar>& a, const ConvexPolygon<Scal
                    slip(b, places.features.b.index, -places.apart), Scalar(0)});
 }
 
-/// The vertices at which a walk from the nearest ones ends, where these are no nearer than rounding
-/// hides, a length: of vertices as near as others faces tell which are nearest.
+/// The vertices at which a walk from the nearest ones ends, unless they are farther from each other
+/// by more than `roundoff`, a length. Faces tell which are nearest where rounded distances do not.
 template <class Scalar>
 NearestPlaces<Scalar> nearest_vertices_by_faces(const ConvexPolygon<Scalar>& a,
                                                 const ConvexPolygon<Scalar>& b, Scalar roundoff) {

@@ -70,7 +70,7 @@ class Hunting {
         run_drawn({cases.begin, cases.begin + done}, all, interruption);
       }
       met_by_.emplace_back(seconds(all), all.tally->buckets.all().size());
-      // What is bred after a generation that the time cut short would not be there again.
+      // A generation that the time cut short is the last: cases bred from it could not be repeated.
       if (plan_.seconds && done < cases.end - cases.begin) break;
     }
     return all;
@@ -153,7 +153,8 @@ class Hunting {
     all.interrupted = drawn_all_.interrupted;
   }
 
-  /// Of the later half of the time until now: what a hunt has found long ago does not count.
+  /// How many new behaviours a second were met in the later half of the time until now, so that a
+  /// hunt that finds nothing new any more shows it.
   double new_a_second(std::size_t behaviours, double until) const {
     std::pair<double, std::size_t> before{};
     for (const auto& met : met_by_) {

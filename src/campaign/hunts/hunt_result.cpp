@@ -132,13 +132,8 @@ void add_hunt(CampaignResult& sum, const CampaignResult& run) {
   const bool is_first = !sum.hunt;
   if (is_first) sum.hunt = HuntResult{run.hunt->rounds, run.hunt->shares, run.hunt->cases_dealt};
   HuntResult& hunt = *sum.hunt;
-  if (is_first) {
-    hunt.cells = run.hunt->cells;
-    hunt.cells_drawn = run.hunt->cells_drawn;
-  } else {
-    hunt.cells.reset();
-    hunt.cells_drawn.reset();
-  }
+  hunt.cells = is_first ? run.hunt->cells : std::nullopt;
+  hunt.cells_drawn = is_first ? run.hunt->cells_drawn : std::nullopt;
   hunt.generations += run.hunt->generations;
   for (const HuntRow& row : run.hunt->rows) add_row(hunt.rows, row);
   std::vector<std::string>& drawn = hunt.buckets_drawn;
