@@ -38,18 +38,18 @@ class Hunting {
   Hunting(const HuntPlan& hunt, const OnHuntProgress& on_progress)
       : hunt_(hunt),
         on_progress_(on_progress),
+        aim_(aim_at(hunt.measure)),
         drawn_plan_(hunt.plan),
         plan_(hunt.plan),
         bred_(std::make_shared<HuntedPairs>(
-            Breed{hunt.plan.regimes, hunt.founders, aim_at(hunt.measure), hunt.on_hunted,
-                  hunt.earlier, hunt.again},
+            Breed{hunt.plan.regimes, hunt.founders, aim_, hunt.on_hunted, hunt.earlier, hunt.again},
             hunt.plan)) {
     plan_.regimes = {&kHunted};
     plan_.work = bred_;
     plan_.judge_every = drawn_plan_.judge_every = 1;
     if (!hunt.compares) return;
-    drawn_ = std::make_shared<ObservedPairs>(kLongestGeneration + hunt.founders.size(),
-                                             aim_at(hunt.measure), hunt.on_drawn);
+    drawn_ = std::make_shared<ObservedPairs>(kLongestGeneration + hunt.founders.size(), aim_,
+                                             hunt.on_drawn);
     drawn_plan_.work = drawn_;
   }
 
@@ -87,7 +87,7 @@ class Hunting {
     if (hunt_.rounds) result.archived = bred_->archived();
     for (std::size_t k = 0; k < kGauges; ++k) {
       const auto gauge = static_cast<Gauge>(k);
-      if (!hunt_seeks(gauge)) continue;
+      if (!aim_.seeks(k)) continue;
       const Worst& worst = bred_->worst()[k];
       WorstFound found{gauge, worst.value, {}, worst.number, {}};
       if (worst.value > 0) found.pair = bred_->pair(plan_, worst.number);
@@ -114,7 +114,7 @@ class Hunting {
     for (std::size_t k = 0; k < kGauges; ++k) {
       const auto gauge = static_cast<Gauge>(k);
       const Worst& worst = bred_->worst()[k];
-      if (worst.value <= 0 || !hunt_seeks(gauge)) continue;
+      if (worst.value <= 0 || !aim_.seeks(k)) continue;
       keep(journal, name_of(gauge, kGaugeNames), worst.value, worst.number);
     }
   }
@@ -126,10 +126,6 @@ class Hunting {
                              {plan_.seed, std::string(kHunted.name), plan_.index_of(number), {}});
       return line;
     });
-  }
-
-  bool hunt_seeks(Gauge gauge) const {
-    return !hunt_.measure || measure_of(gauge) == *hunt_.measure;
   }
 
   double seconds(const JobsResult& all) const { return all.seconds + drawn_all_.seconds; }
@@ -183,6 +179,7 @@ class Hunting {
 
   const HuntPlan& hunt_;
   const OnHuntProgress& on_progress_;
+  Aim aim_;
   Plan drawn_plan_;
   Plan plan_;
   std::shared_ptr<HuntedPairs> bred_;

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <string_view>
 #include <thread>
 
@@ -19,6 +18,7 @@
 #include "base/file.hpp"
 #include "corpus/corpus.hpp"
 #include "engines/colliders.hpp"
+#include "hunting/arguments.hpp"
 #include "hunting/climb.hpp"
 
 namespace manifuzz::test {
@@ -84,12 +84,6 @@ int table(bool are_round, const Climbs& of, const std::string& file) {
   return status;
 }
 
-std::uint64_t number_in(std::string_view text) {
-  std::uint64_t number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
-}
-
 }  // namespace
 }  // namespace manifuzz::test
 
@@ -97,8 +91,9 @@ int main(int argc, char** argv) {
   using namespace manifuzz;
   using namespace manifuzz::test;
   const std::string_view shapes = argc < 7 ? "" : argv[2];
-  if ((shapes != "polygons" && shapes != "round") || number_in(argv[4]) == 0 ||
-      number_in(argv[5]) == 0) {
+  const bool are_shapes = shapes == "polygons" || shapes == "round";
+  if (!are_shapes || !number_in(argv[3]) || number_in(argv[4]).value_or(0) == 0 ||
+      number_in(argv[5]).value_or(0) == 0) {
     fmt::print(stderr,
                "manifuzz_climbs: a collider, polygons or round, a seed, a number of climbs, a "
                "number of cases in each, a file and maybe founders are expected\n");
@@ -106,7 +101,7 @@ int main(int argc, char** argv) {
   }
   try {
     Climbs of{
-        find_collider(argv[1]), number_in(argv[3]), number_in(argv[4]), number_in(argv[5]), {}};
+        find_collider(argv[1]), *number_in(argv[3]), *number_in(argv[4]), *number_in(argv[5]), {}};
     for (int i = 7; i < argc; ++i) of.founders.push_back(read_case_file(argv[i]).pair());
     return table(shapes == "round", of, argv[6]);
   } catch (const UserError& error) {

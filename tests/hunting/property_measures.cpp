@@ -8,13 +8,13 @@
 // greatest measure: the share of its bound, or 1 and the magnitude of a failure.
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 #include <thread>
 
 #include <fmt/format.h>
 
 #include "engines/colliders.hpp"
+#include "hunting/arguments.hpp"
 #include "hunting/property_hunt.hpp"
 #include "hunting/rare_bugs.hpp"
 #include "hunting/rare_colliders.hpp"
@@ -45,12 +45,6 @@ std::vector<HuntedProperty> draw(const PropertyHuntPlan& plan) {
   return met;
 }
 
-std::uint64_t number_in(std::string_view text) {
-  std::uint64_t number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
-}
-
 int table(std::string_view how, const PropertyHuntPlan& plan) {
   Interruption interruption;
   const std::vector<HuntedProperty> met =
@@ -68,7 +62,8 @@ int table(std::string_view how, const PropertyHuntPlan& plan) {
 int main(int argc, char** argv) {
   using namespace manifuzz;
   using namespace manifuzz::test;
-  if (argc != 5) {
+  const std::string_view way = argc == 5 ? argv[1] : "";
+  if ((way != "draw" && way != "hunt") || !number_in(argv[2]) || !number_in(argv[3])) {
     fmt::print(stderr,
                "manifuzz_property_measures: draw or hunt, a seed, a number of cases and a "
                "collider are expected\n");
@@ -78,9 +73,9 @@ int main(int argc, char** argv) {
       .properties = {},
       .subject = subject_of(argv[4]),
       .corpus = {},
-      .seed = number_in(argv[2]),
-      .cases = number_in(argv[3]),
+      .seed = *number_in(argv[2]),
+      .cases = *number_in(argv[3]),
       .jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))};
   for (const Property& property : properties()) plan.properties.push_back(&property);
-  return table(argv[1], plan);
+  return table(way, plan);
 }

@@ -6,7 +6,6 @@
 // A line a bug: its name, and the count or the first case's number, from 1 on; 0: it was not met.
 
 #include <atomic>
-#include <charconv>
 #include <string_view>
 #include <thread>
 
@@ -14,6 +13,7 @@
 
 #include "campaign/plan.hpp"
 #include "campaign/run.hpp"
+#include "hunting/arguments.hpp"
 #include "hunting/hunt.hpp"
 #include "hunting/rare_bugs.hpp"
 #include "own_colliders/own_colliders.hpp"
@@ -61,12 +61,6 @@ void hunt(const Plan& plan, Counts& firsts) {
       [](const HuntProgress&) {});
 }
 
-std::uint64_t number_in(std::string_view text) {
-  std::uint64_t number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
-}
-
 int table(std::string_view how, std::uint64_t seed, std::uint64_t cases) {
   const Shared<Counts> counts;
   const Plan plan = plan_of(seed, cases);
@@ -81,15 +75,12 @@ int table(std::string_view how, std::uint64_t seed, std::uint64_t cases) {
 }  // namespace manifuzz::test
 
 int main(int argc, char** argv) {
+  using manifuzz::test::number_in;
   const std::string_view way = argc == 4 ? argv[1] : "";
-  const auto is_number = [](std::string_view text) {
-    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-  };
-  if ((way != "draw" && way != "hunt") || !is_number(argv[2]) || !is_number(argv[3])) {
+  if ((way != "draw" && way != "hunt") || !number_in(argv[2]) || !number_in(argv[3])) {
     fmt::print(stderr,
                "manifuzz_rare_bugs: draw or hunt, a seed and a number of cases are expected\n");
     return 2;
   }
-  return manifuzz::test::table(argv[1], manifuzz::test::number_in(argv[2]),
-                               manifuzz::test::number_in(argv[3]));
+  return manifuzz::test::table(way, *number_in(argv[2]), *number_in(argv[3]));
 }
