@@ -17,11 +17,7 @@ munk::Vector world_normal_of(const Deviation& d) {
 
 /// Whether the answer is what Chipmunk, Munk2D, or cp with no more than they add, make of the case.
 bool is_given_by_a_port(const Deviation& d) {
-  const auto ports = {munk::kChipmunk, munk::kMunk};
-  return std::ranges::any_of(ports, [&](const munk::Port& port) {
-    return replayed::is_same_answer(
-        d, munk::contact_of(munk::found_by(port, d.right.pair()), d.got.reference));
-  });
+  return munk::is_given_by(munk::kChipmunk, d) || munk::is_given_by(munk::kMunk, d);
 }
 
 /// From a corner of A to one of B, where both lie at one place but for roundings.

@@ -15,9 +15,12 @@ bool corner_on_corner(const Deviation& deviation);
 /// Contact for polygons that are apart, and the origin lies on the line through two of their
 /// difference's corners, beyond them.
 bool collinear_and_apart(const Deviation& deviation);
+/// Neighbouring faces of a polygon with sharp corners are nearer in direction than a dot product
+/// can tell, and the clip is wrong.
+bool neighbours_nearly_parallel(const Deviation& deviation);
 /// The neighbour of the right face is clipped: their directions are nearer than a dot product can
 /// tell.
-bool neighbours_nearly_parallel(const Deviation& deviation);
+bool wrong_support_edge(const Deviation& deviation);
 /// cpShapesCollide put the shapes into its own order: distances have the wrong sign, so that
 /// depths are lost; all else is right.
 bool sign_of_swapped_distance(const Deviation& deviation);
@@ -39,6 +42,14 @@ bool normal_across_collinear(const Deviation& deviation);
 /// The depth of an end was found by a division by its edge's run along the tangent, which is short:
 /// it is off by that much more, or the wrong end was taken of an edge along the normal.
 bool depth_by_crossing(const Deviation& deviation);
+/// Corners are rounded in the world, where a polygon may lose its width: about A's position the
+/// same steps give a right answer.
+bool rounded_in_the_world(const Deviation& deviation);
+/// The nearest place on a long edge of the difference was taken for its end, where its share rounds
+/// to that.
+bool end_of_long_edge(const Deviation& deviation);
+/// A normal without length: both ends of the edge that is nearest are one in doubles.
+bool normal_without_length(const Deviation& deviation);
 /// No answer: an edge that EPA was to expand had no length, and Chipmunk ends the program there.
 bool aborts_on_equal_corners(const LostAnswer& lost);
 /// What Chipmunk and its ports declare.
@@ -51,7 +62,6 @@ inline constexpr LedgerRow kRowsOfMunk[] = {
     {"normal-of-world-vertices", normal_of_rounded_vertices},
     {"corner-on-corner", corner_on_corner},
     {"collinear-apart", collinear_and_apart},
-    {"wrong-support-edge", neighbours_nearly_parallel},
     {"swapped-distance", sign_of_swapped_distance},
     {"polygon-radius-sign", sign_of_polygon_radius},
     {"direction-of-roundings", direction_to_place_on_segment},
@@ -61,6 +71,14 @@ inline constexpr LedgerRow kRowsOfMunk[] = {
     {"direction-between-corners", direction_between_corners},
     {"segment-normal-not-unit", segment_normal_not_unit},
     {"epa-of-equal-corners", nullptr, aborts_on_equal_corners},
+};
+
+/// What a replay of all steps tells: these rows stand after all others.
+inline constexpr LedgerRow kReplayedRowsOfMunk[] = {
+    {"wrong-support-edge", wrong_support_edge},
+    {"normal-without-length", normal_without_length},
+    {"rounded-in-the-world", rounded_in_the_world},
+    {"end-of-long-edge", end_of_long_edge},
 };
 
 }  // namespace manifuzz

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "oracle/chipmunk/deviations.hpp"
 #include "oracle/chipmunk/search.hpp"
 
 // What cpCollision.c of Chipmunk 7, and collision.go of cp, make of closest points.
@@ -16,15 +17,22 @@ struct Edge {
   Vector to;
 };
 
-Edge support_edge(const Shape& shape, const Vector& n) {
+Edge support_edge(const Port& port, const Shape& shape, const Vector& n) {
   const auto& at = shape.corners;
   if (at.size() == 2) {
     return shape.normals[0].dot(n) > 0 ? Edge{at[0], at[1]} : Edge{at[1], at[0]};
   }
   const std::size_t i = support_of(shape, n);
   const std::size_t next = shape.after(i);
-  if (n.dot(shape.normals[i]) > n.dot(shape.normals[next])) return {at[shape.before(i)], at[i]};
-  return {at[i], at[next]};
+  const Edge before{at[shape.before(i)], at[i]};
+  const Edge after{at[i], at[next]};
+  const auto turn = [&](const Edge& edge) {
+    return std::abs(n.dot(edge.to - edge.from)) / (edge.to - edge.from).norm();
+  };
+  const bool is_before = replayed::has(port.mended, Fault::support_edge)
+                             ? turn(before) < turn(after)
+                             : n.dot(shape.normals[i]) > n.dot(shape.normals[next]);
+  return is_before ? before : after;
 }
 
 void push(Found& found, const Vector& on_a, const Vector& on_b) {
@@ -34,8 +42,8 @@ void push(Found& found, const Vector& on_a, const Vector& on_b) {
 /// ContactPoints.
 void clip(const Port& port, const Shape& a, const Shape& b, const Closest& closest, Found& found) {
   const Vector& n = closest.n;
-  const Edge of_a = support_edge(a, n);
-  const Edge of_b = support_edge(b, -n);
+  const Edge of_a = support_edge(port, a, n);
+  const Edge of_b = support_edge(port, b, -n);
   const double a_from = cross(of_a.from, n);
   const double a_to = cross(of_a.to, n);
   const double b_from = cross(of_b.from, n);
@@ -95,31 +103,56 @@ Found found_in_order(const Port& port, const Shape& a, const Shape& b) {
 
 }  // namespace
 
+Port mended(const Port& port, unsigned faults) {
+  Port without = port;
+  without.mended = faults;
+  if (replayed::has(faults, Fault::polygon_radius)) without.of_polygon = Port{}.of_polygon;
+  if (replayed::has(faults, Fault::length)) without.to_length = kChipmunk.to_length;
+  return without;
+}
+
 Found found_by(const Port& port, const PairCase& pair) {
-  const Shape a = placed(port, pair.a);
-  const Shape b = placed(port, pair.b);
+  const Vector origin = replayed::has(port.mended, Fault::world)
+                            ? Vector(pair.a.pose.position.cast<double>())
+                            : Vector(0, 0);
+  const Shape a = placed(port, pair.a, origin);
+  const Shape b = placed(port, pair.b, origin);
   const auto order = [](const Shape& shape) {
     return std::min<std::size_t>(shape.corners.size(), 3);
   };
   const bool is_swapped = order(a) > order(b);
   Found found = is_swapped ? found_in_order(port, b, a) : found_in_order(port, a, b);
-  if (is_swapped) found.normal = -found.normal;
+  found.origin = origin;
+  const Vector normal = is_swapped ? Vector(-found.normal) : found.normal;
+  // Their distance is that of the points as they were found, along the normal as it is given.
+  const Vector along = replayed::has(port.mended, Fault::distance) ? found.normal : normal;
   for (Touch& touch : found.points) {
-    // The distance is that of the points as they were found, along the normal as it is given.
-    touch.distance = (touch.on_b - touch.on_a).dot(found.normal);
+    touch.distance = (touch.on_b - touch.on_a).dot(along);
     if (is_swapped) std::swap(touch.on_a, touch.on_b);
   }
+  found.normal = normal;
   return found;
 }
 
 replayed::Contact contact_of(const Found& found, Side reference) {
-  replayed::Contact contact{found.normal, {}};
+  replayed::Contact contact{found.normal, {}, found.origin};
   for (int i = 0; i < found.count; ++i) {
     const Touch& touch = found.points[static_cast<std::size_t>(i)];
     contact.points.push_back(
         {reference == Side::b ? touch.on_a : touch.on_b, std::max(-touch.distance, 0.0)});
   }
   return contact;
+}
+
+bool is_given_by(const Port& port, const Deviation& d) {
+  return replayed::is_same_answer(d, contact_of(found_by(port, d.right.pair()), d.got.reference));
+}
+
+bool is_right(const Deviation& d, const Found& found) {
+  const auto is_right_of = [&](Side reference) {
+    return replayed::is_right_answer(d, as_chipmunk(), contact_of(found, reference));
+  };
+  return is_right_of(d.got.reference) || (d.got.count == 0 && is_right_of(other(d.got.reference)));
 }
 
 }  // namespace manifuzz::munk

@@ -63,7 +63,8 @@ inline std::vector<Vector> normals_of(const Port& port, const std::vector<Vector
   return normals;
 }
 
-inline Shape placed(const Port& port, const Body& body) {
+/// Corners measured from `origin`, a place in the world.
+inline Shape placed(const Port& port, const Body& body, const Vector& origin = {0, 0}) {
   Shape shape;
   for (int i = 0; i < body.polygon.count; ++i) {
     shape.corners.push_back(body.polygon.vertices[i].cast<double>());
@@ -71,7 +72,7 @@ inline Shape placed(const Port& port, const Body& body) {
   shape.normals = normals_of(port, shape.corners);
   shape.radius = static_cast<double>(body.polygon.radius);
   const Vector turn = body.pose.rotation.cast<double>();
-  const Vector at = body.pose.position.cast<double>();
+  const Vector at = body.pose.position.cast<double>() - origin;
   for (Vector& normal : shape.normals) normal = rotate(turn, normal);
   Vector low(INFINITY, INFINITY);
   Vector high = -low;
@@ -159,7 +160,10 @@ class Search {
     if (port_.is_guarded && squared == 0) return 0;
     // Where this is 0 over 0 their clamp gives the least.
     const double share = delta.dot(from + to) / squared;
-    return share > -1 ? -std::min(share, 1.0) : 1.0;
+    const double t = share > -1 ? -std::min(share, 1.0) : 1.0;
+    const bool is_inside = delta.dot(from) < 0 && delta.dot(to) > 0;
+    if (!is_inside || !replayed::has(port_.mended, Fault::ends)) return t;
+    return std::clamp(t, std::nextafter(-1.0, 0.0), std::nextafter(1.0, 0.0));
   }
 
   double squared_distance(const Vector& from, const Vector& to) const {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "engines/engine.hpp"
 #include "judging/by_curve.hpp"
@@ -11,24 +10,6 @@
 
 namespace manifuzz {
 namespace {
-
-/// What cp would find if it added no more than Chipmunk does; none where it gave another answer
-/// than its operations give.
-std::optional<munk::Found> without_what_cp_adds(const Deviation& d) {
-  const PairCase& pair = d.right.pair();
-  const replayed::Contact given =
-      munk::contact_of(munk::found_by(munk::kCp, pair), d.got.reference);
-  if (!replayed::is_same_answer(d, given)) return std::nullopt;
-  return munk::found_by(munk::kChipmunk, pair);
-}
-
-/// Whether it would be right, with its points on either edge where the answer had none that says.
-bool is_right_by_chipmunk(const Deviation& d, const munk::Found& found) {
-  const auto is_right = [&](Side reference) {
-    return replayed::is_right_answer(d, as_chipmunk(), munk::contact_of(found, reference));
-  };
-  return is_right(d.got.reference) || (d.got.count == 0 && is_right(other(d.got.reference)));
-}
 
 bool is_wrong_as_chipmunk(const Deviation& d) {
   if (!is_round(d.right.pair())) {
@@ -43,11 +24,11 @@ bool is_wrong_as_chipmunk(const Deviation& d) {
 /// A normal that is shorter than unit as 1e-15 beside the length that it is divided by makes
 /// it, and right else, or wrong in a way of Chipmunk's.
 bool normal_short_by_cp(const Deviation& d) {
-  const auto found = without_what_cp_adds(d);
-  if (!found) return false;
-  if (is_right_by_chipmunk(d, *found)) return true;
+  if (!munk::is_given_by(munk::kCp, d)) return false;
+  const munk::Found found = munk::found_by(munk::kChipmunk, d.right.pair());
+  if (munk::is_right(d, found)) return true;
   // Beside it something of Chipmunk's may be wrong, which alone is not what was given.
-  const replayed::Contact contact = munk::contact_of(*found, d.got.reference);
+  const replayed::Contact contact = munk::contact_of(found, d.got.reference);
   const Manifold<double> mended = replayed::in_frame_of_a(d.right.pair(), contact);
   const Kind kind = mended.count == 0 ? Kind::missed_contact : d.kind;
   if (!is_wrong_as_chipmunk({d.right, mended, kind})) return false;
@@ -62,7 +43,8 @@ constexpr LedgerRow kFirstOfCp[] = {{"short-normal", normal_short_by_cp}};
 Engine engine_cp() {
   static const auto others =
       rows_but_for({"direction-between-corners", "epa-of-equal-corners"}, kRowsOfMunk);
-  return {.name = "cp", .ledger = {{"cp", kFirstOfCp}, {"cp", others}}};
+  return {.name = "cp",
+          .ledger = {{"cp", kFirstOfCp}, {"cp", others}, {"cp", kReplayedRowsOfMunk}}};
 }
 
 }  // namespace manifuzz

@@ -49,7 +49,7 @@ Engine engine_pymunk() {
                                           "segment-normal-not-unit", "epa-of-equal-corners"},
                                          kRowsOfMunk);
   return {.name = "pymunk",
-          .ledger = {{"pymunk", first}, {"pymunk", kLastOfPymunk}},
+          .ledger = {{"pymunk", first}, {"pymunk", kLastOfPymunk}, {"pymunk", kReplayedRowsOfMunk}},
           .sequence_ledger = {{"pymunk-kept", kKeptRows}}};
 }
 

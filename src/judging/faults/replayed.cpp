@@ -25,8 +25,10 @@ Manifold<double> in_frame_of_a(const PairCase& pair, const Contact& contact) {
   manifold.count = static_cast<int>(contact.points.size());
   if (contact.points.empty()) return manifold;
   manifold.normal = local_normal(pair, contact.normal);
+  const Vector2<double> from = pair.a.pose.position.cast<double>() - contact.origin;
   for (std::size_t i = 0; i < contact.points.size(); ++i) {
-    manifold.points[i].position = to_local(pair.a.pose, contact.points[i].at);
+    manifold.points[i].position =
+        rotate_inverse<double>(pair.a.pose.rotation.cast<double>(), contact.points[i].at - from);
     manifold.points[i].depth = contact.points[i].depth;
   }
   return manifold;

@@ -18,6 +18,7 @@ struct Contact {
   };
   Vector2<double> normal{0, 0};
   std::vector<Point> points;
+  Vector2<double> origin{0, 0};  ///< from where points are measured
 };
 
 /// A contact in A's frame.
