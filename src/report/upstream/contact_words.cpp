@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "exact/curve.hpp"
 #include "judging/by_curve.hpp"
+#include "judging/round_contact.hpp"
 #include "report/round_truth.hpp"
 #include "report/upstream/parts.hpp"
 #include "report/words.hpp"
@@ -188,7 +189,7 @@ const Manifold<double>& nearest_to(const std::vector<Manifold<double>>& right, c
 }
 
 /// The contact along the answer's own normal, where no other has clearly less depth; none of
-/// mitred corners, which have faces' normals alone.
+/// mitred corners, which have faces' normals alone, nor where another direction is the nearest.
 std::optional<Manifold<double>> right_along_own(const PairCase& pair, const DeclaredAnswer& asked) {
   const Said got = said_by(asked.answer);
   if (!is_judged_by_curve(asked.declaration, pair) || !got.normal || got.normal->isZero(0) ||
@@ -198,11 +199,14 @@ std::optional<Manifold<double>> right_along_own(const PairCase& pair, const Decl
   const exact::Truth truth(pair);
   const exact::PenetrationCurve curve(truth, exact::skin_of(truth));
   const exact::Along along(truth, *got.normal);
-  const double bound = curve_bounds(pair, asked.declaration, truth.extent()).minimality;
+  const CurveBounds bounds = curve_bounds(pair, asked.declaration, truth.extent());
   const bool is_mitred = total_radius(pair) > 0 && !is_round(pair);
-  if (is_mitred || curve.compare_least(0) < 0 || curve.compare_excess(along, bound) > 0) {
+  if (is_mitred || curve.compare_least(0) < 0 ||
+      curve.compare_excess(along, bounds.minimality) > 0) {
     return std::nullopt;
   }
+  const NearestNormal nearest(truth, curve, bounds.touching, bounds.direction);
+  if (nearest.must_be_near() && !nearest.is_near(along.local_normal())) return std::nullopt;
   return contact_along(pair, got.normal->normalized(), along.depth(), asked.declaration);
 }
 
