@@ -246,9 +246,11 @@ bool origin_within_tolerance(const Deviation& d) {
   if (d.kind == Kind::missed_contact && is_gap_of_corner<Engine>(d)) return true;
   const auto replay = replay_by<Engine>(d, kSearches);
   if (!replay) return false;
+  const bool is_of_round = d.kind == Kind::normal && is_round(d.right.pair());
   if (replay->gjk.end == GjkEnd::on_simplex && replay->epa.end == EpaEnd::corner &&
-      d.kind == Kind::phantom_contact) {
-    // A corner as near as this is taken for one at the origin.
+      (d.kind == Kind::phantom_contact || is_of_round)) {
+    // A corner as near as this is taken for one at the origin, and a direction in both corners'
+    // cones for the one between them.
     return shapes_apart(d, *replay) <= 10 * kEpsilonOf<Engine> + bound_of(d);
   }
   if (replay->gjk.end == GjkEnd::on_simplex && replay->epa.end == EpaEnd::converged) {
