@@ -166,7 +166,9 @@ bool normal_of_corner_cones(const Deviation& d) {
   if (!replay || replay->epa.end != EpaEnd::corner) return false;
   const double apart = shapes_apart(d, *replay);
   // Within both cones, no other corner is farther along it: D would be the radii.
-  if (excess_of<Engine>(d, *replay) - apart > bound_of(d)) return true;
+  if (d.kind == Kind::not_minimal || excess_of<Engine>(d, *replay) - apart > bound_of(d)) {
+    return true;
+  }
   // Where a corner is round its cone is a single direction.
   return replay->route == Route::supports && d.kind == Kind::normal && is_round(d.right.pair()) &&
          std::abs(apart) <= 10 * kEpsilonOf<Engine> + bound_of(d);
