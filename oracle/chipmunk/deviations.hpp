@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "judging/faults/shared_faults.hpp"
+#include "oracle/chipmunk/replay.hpp"
 
 namespace manifuzz {
 
@@ -18,9 +19,9 @@ bool collinear_and_apart(const Deviation& deviation);
 /// Neighbouring faces of a polygon with sharp corners are nearer in direction than a dot product
 /// can tell, and the clip is wrong.
 bool neighbours_nearly_parallel(const Deviation& deviation);
-/// The neighbour of the right face is clipped: their directions are nearer than a dot product can
-/// tell.
-bool wrong_support_edge(const Deviation& deviation);
+/// The neighbour of the right face is clipped: as above, or by a replay that is right with the edge
+/// that is turned least.
+bool wrong_support_edge(const munk::Port& port, const Deviation& deviation);
 /// cpShapesCollide put the shapes into its own order: distances have the wrong sign, so that
 /// depths are lost; all else is right.
 bool sign_of_swapped_distance(const Deviation& deviation);
@@ -44,12 +45,12 @@ bool normal_across_collinear(const Deviation& deviation);
 bool depth_by_crossing(const Deviation& deviation);
 /// Corners are rounded in the world, where a polygon may lose its width: about A's position the
 /// same steps give a right answer.
-bool rounded_in_the_world(const Deviation& deviation);
+bool rounded_in_the_world(const munk::Port& port, const Deviation& deviation);
 /// The nearest place on a long edge of the difference was taken for its end, where its share rounds
 /// to that.
-bool end_of_long_edge(const Deviation& deviation);
+bool end_of_long_edge(const munk::Port& port, const Deviation& deviation);
 /// A normal without length: both ends of the edge that is nearest are one in doubles.
-bool normal_without_length(const Deviation& deviation);
+bool normal_without_length(const munk::Port& port, const Deviation& deviation);
 /// No answer: an edge that EPA was to expand had no length, and Chipmunk ends the program there.
 bool aborts_on_equal_corners(const LostAnswer& lost);
 /// What Chipmunk and its ports declare.
@@ -73,12 +74,13 @@ inline constexpr LedgerRow kRowsOfMunk[] = {
     {"epa-of-equal-corners", nullptr, aborts_on_equal_corners},
 };
 
-/// What a replay of all steps tells: these rows stand after all others.
-inline constexpr LedgerRow kReplayedRowsOfMunk[] = {
-    {"wrong-support-edge", wrong_support_edge},
-    {"normal-without-length", normal_without_length},
-    {"rounded-in-the-world", rounded_in_the_world},
-    {"end-of-long-edge", end_of_long_edge},
+/// What a replay of all steps of a port tells: these rows stand after all others.
+template <const munk::Port& kPort>
+inline constexpr LedgerRow kReplayedRowsOf[] = {
+    {"wrong-support-edge", [](const Deviation& d) { return wrong_support_edge(kPort, d); }},
+    {"normal-without-length", [](const Deviation& d) { return normal_without_length(kPort, d); }},
+    {"rounded-in-the-world", [](const Deviation& d) { return rounded_in_the_world(kPort, d); }},
+    {"end-of-long-edge", [](const Deviation& d) { return end_of_long_edge(kPort, d); }},
 };
 
 }  // namespace manifuzz

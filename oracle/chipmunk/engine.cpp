@@ -6,7 +6,7 @@
 namespace manifuzz {
 Engine engine_chipmunk() {
   return {.name = "chipmunk",
-          .ledger = {{"chipmunk", kRowsOfMunk}, {"chipmunk", kReplayedRowsOfMunk}},
+          .ledger = {{"chipmunk", kRowsOfMunk}, {"chipmunk", kReplayedRowsOf<munk::kChipmunk>}},
           .passes = {{"chipmunk", "chipmunk", "GJK, then clipping", chipmunk_pass}}};
 }
 

@@ -20,8 +20,8 @@ std::vector<Vector2<double>> differences_of_vertices(const PairCase& pair) {
 
 bool corner_on_corner(const Deviation& d) {
   if (is_round(d.right.pair())) return false;
-  const bool fits =
-      d.kind == Kind::normal || d.kind == Kind::reversed || d.kind == Kind::missed_contact;
+  const bool is_reversed = d.kind == Kind::reversed && munk::is_given_by_any(d);
+  const bool fits = d.kind == Kind::normal || d.kind == Kind::missed_contact || is_reversed;
   return fits && std::ranges::any_of(differences_of_vertices(d.right.pair()),
                                      [&](const Vector2<double>& apart) {
                                        return apart.norm() <= d.right.bounds.separation;

@@ -26,8 +26,10 @@ Edge support_edge(const Port& port, const Shape& shape, const Vector& n) {
   const std::size_t next = shape.after(i);
   const Edge before{at[shape.before(i)], at[i]};
   const Edge after{at[i], at[next]};
+  // The sine of how far an edge is turned; one without length is not met.
   const auto turn = [&](const Edge& edge) {
-    return std::abs(n.dot(edge.to - edge.from)) / (edge.to - edge.from).norm();
+    const Vector along = edge.to - edge.from;
+    return along.isZero(0) ? 1.0 : std::abs(n.dot(along)) / along.norm();
   };
   const bool is_before = replayed::has(port.mended, Fault::support_edge)
                              ? turn(before) < turn(after)
@@ -146,6 +148,10 @@ replayed::Contact contact_of(const Found& found, Side reference) {
 
 bool is_given_by(const Port& port, const Deviation& d) {
   return replayed::is_same_answer(d, contact_of(found_by(port, d.right.pair()), d.got.reference));
+}
+
+bool is_given_by_any(const Deviation& d) {
+  return is_given_by(kChipmunk, d) || is_given_by(kMunk, d) || is_given_by(kCp, d);
 }
 
 bool is_right(const Deviation& d, const Found& found) {

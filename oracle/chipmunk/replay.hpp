@@ -59,6 +59,8 @@ replayed::Contact contact_of(const Found& found, Side reference);
 
 /// Whether the answer is what that port makes of the case.
 bool is_given_by(const Port& port, const Deviation& deviation);
+/// Whether it is what one of the ports makes of it.
+bool is_given_by_any(const Deviation& deviation);
 /// Whether it would be right, with its points on either edge where the answer had none that says.
 bool is_right(const Deviation& deviation, const Found& found);
 

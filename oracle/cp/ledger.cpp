@@ -1,8 +1,5 @@
-#include <algorithm>
-#include <cmath>
 
 #include "engines/engine.hpp"
-#include "judging/by_curve.hpp"
 #include "oracle/chipmunk/deviations.hpp"
 #include "oracle/chipmunk/replay.hpp"
 
@@ -44,7 +41,7 @@ Engine engine_cp() {
   static const auto others =
       rows_but_for({"direction-between-corners", "epa-of-equal-corners"}, kRowsOfMunk);
   return {.name = "cp",
-          .ledger = {{"cp", kFirstOfCp}, {"cp", others}, {"cp", kReplayedRowsOfMunk}}};
+          .ledger = {{"cp", kFirstOfCp}, {"cp", others}, {"cp", kReplayedRowsOf<munk::kCp>}}};
 }
 
 }  // namespace manifuzz

@@ -49,7 +49,9 @@ Engine engine_pymunk() {
                                           "segment-normal-not-unit", "epa-of-equal-corners"},
                                          kRowsOfMunk);
   return {.name = "pymunk",
-          .ledger = {{"pymunk", first}, {"pymunk", kLastOfPymunk}, {"pymunk", kReplayedRowsOfMunk}},
+          .ledger = {{"pymunk", first},
+                     {"pymunk", kLastOfPymunk},
+                     {"pymunk", kReplayedRowsOf<munk::kMunk>}},
           .sequence_ledger = {{"pymunk-kept", kKeptRows}}};
 }
 

@@ -166,9 +166,9 @@ bool normal_of_corner_cones(const Deviation& d) {
   if (!replay || replay->epa.end != EpaEnd::corner) return false;
   const double apart = shapes_apart(d, *replay);
   // Within both cones, no other corner is farther along it: D would be the radii.
-  if (d.kind == Kind::not_minimal || excess_of<Engine>(d, *replay) - apart > bound_of(d)) {
-    return true;
-  }
+  const Bounds& bounds = d.right.bounds;
+  const double minimality = 2 * bounds.separation + bounds.normal * d.right.truth->extent();
+  if (excess_of<Engine>(d, *replay) - apart > minimality) return true;
   // Where a corner is round its cone is a single direction.
   return replay->route == Route::supports && d.kind == Kind::normal && is_round(d.right.pair()) &&
          std::abs(apart) <= 10 * kEpsilonOf<Engine> + bound_of(d);
@@ -253,7 +253,7 @@ bool origin_within_tolerance(const Deviation& d) {
       (d.kind == Kind::phantom_contact || is_of_round)) {
     // A corner as near as this is taken for one at the origin, and a direction in both corners'
     // cones for the one between them.
-    return shapes_apart(d, *replay) <= 10 * kEpsilonOf<Engine> + bound_of(d);
+    return std::abs(shapes_apart(d, *replay)) <= 10 * kEpsilonOf<Engine> + bound_of(d);
   }
   if (replay->gjk.end == GjkEnd::on_simplex && replay->epa.end == EpaEnd::converged) {
     const auto mended = replayed_with_signs(*replay);
