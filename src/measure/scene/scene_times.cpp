@@ -1,5 +1,7 @@
+#include <atomic>
 #include <chrono>
 #include <deque>
+#include <thread>
 
 #include "engines/asked_engines.hpp"
 #include "external/timed_world.hpp"
@@ -22,6 +24,7 @@ double ns_of(const Work& work) {
 struct Contender {
   std::function<double(Moves)> step;             ///< gives what it took, ns
   std::function<void(Moves)> prepare = nullptr;  ///< before any of them steps, not timed
+  std::function<void()> awaken = nullptr;        ///< right before it steps, not timed
   std::vector<double> ns{};
 };
 
@@ -79,6 +82,16 @@ Contender contender(WorldPlayer& player) {
           .prepare = [&player](Moves moves) { player.prepare(moves); }};
 }
 
+/// Until all threads are at work: they sleep while others step, for longer than a game's do, and it
+/// takes a virtual machine a good part of a step to wake one.
+void awaken(scene::Threads& pool, std::size_t threads) {
+  std::atomic<std::size_t> begun = 0;
+  pool(threads, [&](std::size_t) {
+    ++begun;
+    while (begun < threads) std::this_thread::yield();
+  });
+}
+
 /// A scene and all that it is held against.
 class Contest {
  public:
@@ -94,6 +107,7 @@ class Contest {
         by_moved_(contender(*moved_, true)),
         by_afresh_(contender(afresh_)) {
     if (threads > 1) {
+      by_ours_.awaken = [this, threads] { awaken(pool_, threads); };
       alone_.emplace(trajectory, settings);
       by_alone_ = contender(*alone_);
     }
@@ -113,6 +127,7 @@ class Contest {
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
       Contender& one = *all[(step + i) % all.size()];
+      if (one.awaken) one.awaken();
       one.ns.push_back(one.step(moves));
     }
   }
