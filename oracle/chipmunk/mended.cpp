@@ -1,5 +1,4 @@
-#include <algorithm>
-
+#include "judging/faults/seen_along.hpp"
 #include "oracle/chipmunk/deviations.hpp"
 
 // Faults of Chipmunk 7 and its ports that a replay tells: it gives the answer, which is wrong as it
@@ -10,7 +9,6 @@ namespace {
 
 /// The faults without which a port might do otherwise with this pair.
 unsigned faults_of(const munk::Port& port, const PairCase& pair) {
-  const auto order = [](const Body& body) { return std::min(body.polygon.count, 3); };
   unsigned faults = 0;
   const auto add = [&](munk::Fault fault, bool is_of_case) {
     if (is_of_case) faults |= static_cast<unsigned>(fault);
@@ -18,7 +16,7 @@ unsigned faults_of(const munk::Port& port, const PairCase& pair) {
   add(munk::Fault::world, !pair.a.pose.position.isZero(0));
   add(munk::Fault::ends, true);
   add(munk::Fault::support_edge, true);
-  add(munk::Fault::distance, order(pair.a) > order(pair.b));
+  add(munk::Fault::distance, ledger_of::is_swapped(pair));
   add(munk::Fault::polygon_radius, port.of_polygon != munk::Port{}.of_polygon);
   add(munk::Fault::length, port.to_length != munk::kChipmunk.to_length);
   return faults;
@@ -29,9 +27,8 @@ bool is_by(munk::Fault fault, const munk::Port& port, const Deviation& d) {
   const PairCase& pair = d.right.pair();
   if (munk::is_right(d, munk::found_by(port, pair))) return false;
   const unsigned all = faults_of(port, pair);
-  return replayed::is_needed(static_cast<unsigned>(fault), munk::kAllFaults, [&](unsigned faults) {
-    const bool is_any_void = (faults & ~all) != 0;
-    return !is_any_void && munk::is_right(d, munk::found_by(munk::mended(port, faults), pair));
+  return replayed::is_needed(static_cast<unsigned>(fault), all, [&](unsigned faults) {
+    return munk::is_right(d, munk::found_by(munk::mended(port, faults), pair));
   });
 }
 

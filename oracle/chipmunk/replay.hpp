@@ -15,7 +15,6 @@ enum class Fault : unsigned {
   polygon_radius = 16,  ///< CircleToPoly has a polygon's radius on the wrong side
   length = 32           ///< lengths are longer before something is divided
 };
-inline constexpr unsigned kAllFaults = 63;
 
 /// What a port of Chipmunk's has of its own.
 struct Port {

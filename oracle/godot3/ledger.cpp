@@ -117,9 +117,8 @@ bool fault_of_godot(const Deviation& d) {
   if (!has(possible, kFault)) return false;
   if (kFault == FaultOfGodot::tested_axis && !is_axis_of_least_overlap(d)) return false;
   if (!replayed::is_same_answer(d, as_godot::by_godot(d.right.pair(), {}).contact)) return false;
-  return replayed::is_needed(static_cast<unsigned>(kFault), kFaultsOfGodot, [&](unsigned mended) {
-    return (mended & ~possible) == 0 && is_right_with(d, mended);
-  });
+  return replayed::is_needed(static_cast<unsigned>(kFault), possible,
+                             [&](unsigned mended) { return is_right_with(d, mended); });
 }
 
 /// A crash: no vertex of a polygon is farther than where the search for the farthest begins, so

@@ -166,9 +166,9 @@ bool normal_of_corner_cones(const Deviation& d) {
   if (!replay || replay->epa.end != EpaEnd::corner) return false;
   const double apart = shapes_apart(d, *replay);
   // Within both cones, no other corner is farther along it: D would be the radii.
-  const Bounds& bounds = d.right.bounds;
-  const double minimality = 2 * bounds.separation + bounds.normal * d.right.truth->extent();
-  if (excess_of<Engine>(d, *replay) - apart > minimality) return true;
+  const CurveBounds bounds =
+      curve_bounds(d.right.pair(), Engine::declaration(), d.right.truth->extent());
+  if (excess_of<Engine>(d, *replay) - apart > bounds.minimality) return true;
   // Where a corner is round its cone is a single direction.
   return replay->route == Route::supports && d.kind == Kind::normal && is_round(d.right.pair()) &&
          std::abs(apart) <= 10 * kEpsilonOf<Engine> + bound_of(d);

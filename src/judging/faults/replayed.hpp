@@ -48,13 +48,14 @@ constexpr bool has(unsigned faults, Fault fault) {
   return (faults & static_cast<unsigned>(fault)) != 0;
 }
 
-/// Whether a fault, a bit of 1 to `all`, is in one of the smallest sets of them that have to be
-/// mended for a right answer. `is_right` tells that of the answer with a set of faults mended.
+/// Whether a fault, a bit of `all`, is in one of the smallest sets of these that have to be mended
+/// for a right answer. `is_right` tells that of the answer with a set of faults mended.
 template <class IsRight>
 bool is_needed(unsigned fault, unsigned all, const IsRight& is_right) {
   for (int count = 1, found = 0; found == 0 && count <= std::popcount(all); ++count) {
     for (unsigned mended = 1; mended <= all; ++mended) {
-      if (std::popcount(mended) != count || !is_right(mended)) continue;
+      const bool is_set = (mended & ~all) == 0 && std::popcount(mended) == count;
+      if (!is_set || !is_right(mended)) continue;
       if ((mended & fault) != 0) return true;
       ++found;
     }

@@ -23,7 +23,7 @@ constexpr double kPlot = 580;  // the side of a plot alone, which is drawn half 
 constexpr Font kPlotFont{19};
 
 /// An answer as the curve sees it.
-struct CurveAnswer {
+struct SeenAnswer {
   Point normal{0, 0};  ///< in the world, unit or nearly
   double depth = 0;    ///< of its deepest point
   double along = 0;    ///< D at its normal
@@ -149,12 +149,12 @@ class CurvePicture {
     return normals;
   }
 
-  std::optional<CurveAnswer> seen(const DeclaredAnswer& asked) const {
+  std::optional<SeenAnswer> seen(const DeclaredAnswer& asked) const {
     const auto said = said_along(asked.answer);
     if (!said || !said->normal.allFinite() || said->normal.isZero(0)) return std::nullopt;
     if (!std::isfinite(said->depth)) return std::nullopt;
-    return CurveAnswer{world_normal(pair_, said->normal), said->depth,
-                       exact::Along(truth_, said->normal).depth()};
+    return SeenAnswer{world_normal(pair_, said->normal), said->depth,
+                      exact::Along(truth_, said->normal).depth()};
   }
 
   void draw_answer(const DeclaredAnswer& asked, bool is_subject) {

@@ -7,7 +7,7 @@
 #include "base/text.hpp"
 #include "exact/curve.hpp"
 #include "judging/by_curve.hpp"
-#include "judging/round_contact.hpp"
+#include "judging/curve_answer.hpp"
 #include "report/round_truth.hpp"
 #include "report/upstream/parts.hpp"
 #include "report/words.hpp"
@@ -197,16 +197,13 @@ std::optional<Manifold<double>> right_along_own(const PairCase& pair, const Decl
     return std::nullopt;
   }
   const exact::Truth truth(pair);
-  const exact::PenetrationCurve curve(truth, exact::skin_of(truth));
+  const CurveAnswer answer(truth, asked.declaration, got,
+                           curve_bounds(pair, asked.declaration, truth.extent()));
   const exact::Along along(truth, *got.normal);
-  const CurveBounds bounds = curve_bounds(pair, asked.declaration, truth.extent());
   const bool is_mitred = total_radius(pair) > 0 && !is_round(pair);
-  if (is_mitred || curve.compare_least(0) < 0 ||
-      curve.compare_excess(along, bounds.minimality) > 0) {
+  if (is_mitred || answer.curve().compare_least(0) < 0 || !answer.is_minimal(along)) {
     return std::nullopt;
   }
-  const NearestNormal nearest(truth, curve, bounds.touching, bounds.direction);
-  if (nearest.must_be_near() && !nearest.is_near(along.local_normal())) return std::nullopt;
   return contact_along(pair, got.normal->normalized(), along.depth(), asked.declaration);
 }
 
