@@ -30,11 +30,14 @@ enum class Defect {
 /// The defect of a pose that has one.
 Defect defect_of(const Pose<float>& pose);
 
+/// Whether a position is finite, and not too far out; without a branch.
+inline bool is_near(const Vector2<float>& position) {
+  return (std::abs(position.x()) <= kLengthMax) & (std::abs(position.y()) <= kLengthMax);
+}
+
 /// The first defect of a pose, or none.
 inline std::optional<Defect> find_defect(const Pose<float>& pose) {
-  const bool is_near =
-      std::abs(pose.position.x()) <= kLengthMax && std::abs(pose.position.y()) <= kLengthMax;
-  if (is_near && is_unit_rotation(pose.rotation)) return std::nullopt;
+  if (is_near(pose.position) && is_unit_rotation(pose.rotation)) return std::nullopt;
   return defect_of(pose);
 }
 

@@ -24,11 +24,15 @@ inline constexpr float kSeparationError = 15 * kRoundoff + 2.1e-5F;
 /// More than all that is lost to underflow.
 inline constexpr float kUnderflow = 64 * std::numeric_limits<float>::min();
 
+/// More than sqrt(2) - 1: of a vector's two sides the greater, and so much of the lesser, are
+/// together at least as long as the vector.
+inline constexpr float kLesserSide = 0.41422F;
+
 /// At least |v|, at most 8% more; without a square, which could underflow.
 inline float length_at_most(const Vector2<float>& v) {
   const float x = std::abs(v.x());
   const float y = std::abs(v.y());
-  return std::max(x, y) + 0.41422F * std::min(x, y);
+  return std::max(x, y) + kLesserSide * std::min(x, y);
 }
 
 /// More than the roundings of a displacement.

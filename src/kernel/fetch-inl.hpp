@@ -132,6 +132,27 @@ HWY_INLINE void fetch_strip(D d, const PairBatch<T>& batch, const int (&count_ma
   }
 }
 
+/// Fetches the radii of both shapes.
+template <class T>
+HWY_INLINE void fetch_radii(const Shapes<T>& shapes, const PairBatch<T>& batch,
+                            const bool (&shared)[2], BatchRows<T>& rows) {
+  if (!shapes.has_radius() && batch.kind == PairKind::sharp) {
+    for (const int p : {0, 1}) std::fill_n(rows.radii[p].column, kBlockPairs, T{0});
+    return;
+  }
+  const auto radius = [&](int polygon, int column) {
+    return shapes.radius(batch.pair[column].body[polygon]->shape);
+  };
+  for (const int p : {0, 1}) {
+    T* const radii = rows.radii[p].column;
+    if (shared[p]) {
+      std::fill_n(radii, kBlockPairs, radius(p, 0));
+    } else {
+      for (int column = 0; column < kBlockPairs; ++column) radii[column] = radius(p, column);
+    }
+  }
+}
+
 /// Fetches all that the kernel asks of a batch; `count_max` becomes the most corners of any A and
 /// of any B.
 template <class T>
@@ -149,18 +170,8 @@ HWY_INLINE void fetch(const Shapes<T>& shapes, const PairBatch<T>& batch, BatchR
       count_max[p] = std::max(count_max[p], count);
     }
   }
-  Row<T>& total_radius = rows.of_block[kTotalRadius];
-  std::fill_n(total_radius.column, kBlockPairs, T{0});
-  if (shapes.has_radius() || batch.kind != PairKind::sharp) {
-    for (int column = 0; column < kBlockPairs; ++column) {
-      for (const int p : {0, 1}) {
-        const T radius = shapes.radius(batch.pair[column].body[p]->shape);
-        rows.radii[p].column[column] = radius;
-        total_radius.column[column] += radius;
-      }
-    }
-  }
   const bool shared[2] = {shares_shape(batch, 0), shares_shape(batch, 1)};
+  fetch_radii(shapes, batch, shared, rows);
   const hn::CappedTag<T, kBlockPairs> widest;
   const auto lanes = static_cast<int>(hn::Lanes(widest));
   for (int column = 0; shared[0] && column < kBlockPairs; column += lanes) {
@@ -170,6 +181,11 @@ HWY_INLINE void fetch(const Shapes<T>& shapes, const PairBatch<T>& batch, BatchR
   const hn::CappedTag<T, 32 / sizeof(T)> d;  // wider ones cost more to put together than they save
   for (int column = 0; column < kBlockPairs; column += static_cast<int>(hn::Lanes(d))) {
     fetch_strip(d, batch, count_max, shared, column, rows);
+  }
+  // Last: what was written one by one is slow to be read as a vector right after.
+  for (int column = 0; column < kBlockPairs; column += lanes) {
+    const auto of = [&](int p) { return hn::Load(widest, rows.radii[p].column + column); };
+    hn::Store(hn::Add(of(0), of(1)), widest, rows.of_block[kTotalRadius].column + column);
   }
 }
 

@@ -9,6 +9,7 @@
 #define MANIFUZZ_KERNEL_LANES_INL
 #endif
 
+#include <bit>
 #include <cstring>
 #include <hwy/highway.h>
 
@@ -82,11 +83,11 @@ struct Strip {
 /// `act(lane)` of each lane of a mask, one after the other.
 template <class D, class Act>
 HWY_INLINE void for_each_lane(D d, hn::Mask<D> mask, const Act& act) {
-  using T = hn::TFromD<D>;
-  alignas(64) T flags[hn::MaxLanes(D())];
-  hn::Store(hn::IfThenElseZero(mask, hn::Set(d, T{1})), d, flags);
-  for (std::size_t lane = 0; lane < hn::MaxLanes(D()); ++lane) {
-    if (flags[lane] != 0) act(lane);
+  static_assert(hn::MaxLanes(D()) <= 16);
+  std::uint8_t bytes[8] = {};  // Highway asks for eight
+  hn::StoreMaskBits(d, mask, bytes);
+  for (unsigned bits = bytes[0] | unsigned{bytes[1]} << 8; bits != 0; bits &= bits - 1) {
+    act(static_cast<std::size_t>(std::countr_zero(bits)));
   }
 }
 

@@ -11,20 +11,21 @@ void PairStream<Scalar>::finish() {
   std::array<PairBatch<Scalar>, kPairKinds> rests;
   std::array<int, kPairKinds> rest_sizes{};
   for (unsigned group = 0; group < kPairGroups; ++group) {
-    if (sizes_[group] == 0) continue;
-    const PairBatch<Scalar>& batch = batches_[group];
+    PairBatch<Scalar>& batch = batches_[group];
+    const auto filled = next_[group] - batch.pair;
+    if (filled == 0) continue;
     const PairKind kind = kind_of_group(group);
     PairBatch<Scalar>& rest = rests[static_cast<unsigned>(kind)];
     int& size = rest_sizes[static_cast<unsigned>(kind)];
     rest.kind = kind;
     rest.count[0] = rest.count[1] = 0;
-    for (int column = 0; column < sizes_[group]; ++column) {
+    for (int column = 0; column < filled; ++column) {
       rest.pair[size++] = batch.pair[column];
       if (size < kBlockPairs) continue;
       collide_batch(shapes_, rest, tie_bias_);
       size = 0;
     }
-    sizes_[group] = 0;
+    next_[group] = batch.pair;
   }
   for (unsigned kind = 0; kind < kPairKinds; ++kind) {
     PairBatch<Scalar>& rest = rests[kind];

@@ -39,7 +39,10 @@ class PairStream {
   /// length >= 0.
   PairStream(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
              Scalar tie_bias)
-      : shapes_(shapes), bodies_(bodies), tie_bias_(tie_bias) {}
+      : shapes_(shapes), bodies_(bodies), tie_bias_(tie_bias) {
+    for (unsigned group = 0; group < kPairGroups; ++group) next_[group] = batches_[group].pair;
+  }
+  PairStream(const PairStream&) = delete;
 
   /// `out` becomes the manifold of the pair, as `collide_pairs` gives it, until `finish` returns.
   void push(const BodyPair& pair, Manifold<Scalar>& out) {
@@ -53,10 +56,10 @@ class PairStream {
       return fetched.scalars.data();
     };
     PairBatch<Scalar>& batch = batches_[group];
-    const unsigned column = sizes_[group]++;
-    batch.pair[column] = {{&a, &b}, {corners(a), corners(b)}, &out};
-    if (column + 1 < kBlockPairs) return;
-    sizes_[group] = 0;
+    auto* const next = next_[group]++;
+    *next = {{&a, &b}, {corners(a), corners(b)}, &out};
+    if (next < batch.pair + kBlockPairs - 1) return;
+    next_[group] = batch.pair;
     batch.kind = kind_of_group(group);
     batch.count[0] = static_cast<int>(shapes_.count(a.shape));
     batch.count[1] = static_cast<int>(shapes_.count(b.shape));
@@ -70,8 +73,8 @@ class PairStream {
   const Shapes<Scalar>& shapes_;
   std::span<const Placement<Scalar>> bodies_;
   Scalar tie_bias_;
-  std::array<std::uint8_t, kPairGroups> sizes_{};
   std::array<PairBatch<Scalar>, kPairGroups> batches_;  // most of them are never touched
+  std::array<typename PairBatch<Scalar>::Pair*, kPairGroups> next_;  // a batch's next column
 };
 
 }  // namespace manifuzz::kernel

@@ -13,9 +13,17 @@ std::uint32_t room_for(std::uint32_t count) {
 
 }  // namespace
 
+std::size_t Candidates::size_of(std::uint32_t first, std::uint32_t last) const {
+  if (first == 0 && last == rows()) return count_;
+  std::size_t size = 0;
+  for (std::uint32_t a = first; a < last; ++a) size += rows_[a].count;
+  return size;
+}
+
 void Candidates::add(std::uint32_t a, std::uint32_t b) {
   if (a >= rows_.size()) {
     resize(rows_, a + 1);
+    resize(filled_, a / kRowBits + 1);
   }
   if (rows_[a].count == rows_[a].room) {
     if (end_ > 3 * count_ + rows_.size()) pack();
@@ -31,6 +39,7 @@ void Candidates::add(std::uint32_t a, std::uint32_t b) {
     row = {first, row.count, room};
   }
   all_[row.first + row.count++] = Candidate(b);
+  filled_[a / kRowBits] |= row_bit(a);
   ++count_;
   longest_row_ = std::max(longest_row_, row.count);
 }

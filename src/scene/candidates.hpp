@@ -42,8 +42,8 @@ class Candidate {
   std::uint32_t known_ = 0;
 };
 
-/// So many pairs of a row are looked at together: most rows are no longer. As many may be read past
-/// the end of a row.
+/// So many pairs of a row are read together: most rows are no longer. As many may be read past the
+/// end of a row.
 inline constexpr std::size_t kRowLanes = 8;
 
 /// The candidate pairs: those of a body with bodies of higher index lie together, rows in one
@@ -52,6 +52,8 @@ class Candidates {
  public:
   /// How many pairs there are.
   std::size_t size() const { return count_; }
+  /// How many pairs the rows from the first to before the last have.
+  std::size_t size_of(std::uint32_t first, std::uint32_t last) const;
   /// No row has had more of them since they were last packed.
   std::size_t longest_row() const { return longest_row_; }
 
@@ -62,6 +64,11 @@ class Candidates {
   std::span<Candidate> row(std::uint32_t a) {
     if (a >= rows_.size()) return {};
     return {all_.data() + rows_[a].first, rows_[a].count};
+  }
+
+  /// Which of the 64 bodies from 64 times this number on have candidates in their rows: a bit each.
+  std::uint64_t filled_rows(std::size_t number) const {
+    return number < filled_.size() ? filled_[number] : 0;
   }
 
   /// Asks for a body's row ahead of its use; most are no longer than two cache lines.
@@ -92,15 +99,18 @@ class Candidates {
   /// Takes one out of A's row; the last of that row takes its place.
   void drop(std::uint32_t a, Candidate& candidate) {
     candidate = row(a).back();
-    --rows_[a].count;
+    if (--rows_[a].count == 0) filled_[a / kRowBits] &= ~row_bit(a);
     --count_;
   }
 
   /// The memory that grows with the number of bodies, and with that of pairs.
-  std::size_t bytes_by_body() const { return rows_.capacity() * sizeof(Row); }
+  std::size_t bytes_by_body() const { return bytes_of(rows_) + bytes_of(filled_); }
   std::size_t bytes_by_pair() const { return all_.capacity() * sizeof(Candidate); }
 
  private:
+  static constexpr std::uint32_t kRowBits = 64;
+  static std::uint64_t row_bit(std::uint32_t a) { return std::uint64_t{1} << (a % kRowBits); }
+
   struct Row {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
@@ -109,9 +119,10 @@ class Candidates {
 
   void pack();
 
-  std::vector<Row> rows_;       // by body
-  LargeVector<Candidate> all_;  // and kRowLanes past the last row's room
-  std::size_t end_ = 0;         // of the last row's room
+  std::vector<Row> rows_;              // by body
+  std::vector<std::uint64_t> filled_;  // a bit a body: whether its row has candidates
+  LargeVector<Candidate> all_;         // and kRowLanes past the last row's room
+  std::size_t end_ = 0;                // of the last row's room
   std::size_t count_ = 0;
   std::uint32_t longest_row_ = 0;
 };

@@ -27,9 +27,9 @@ void Scene::look_at_candidates() {
   const std::uint32_t rows = candidates_.rows();
   RowWork& all = row_works_.front();
   if (few_moved_) {
-    for (const Mover& mover : movers_) {
-      for (Candidate& candidate : candidates_.row(mover.body)) look_at(mover.body, candidate, all);
-      look_at_partners(mover.body, all);
+    for (const std::uint32_t body : movers_) {
+      for (Candidate& candidate : candidates_.row(body)) look_at(body, candidate, all);
+      look_at_partners(body, all);
     }
     collide_waiting(all);
   } else if (!is_divided) {
@@ -48,7 +48,7 @@ void Scene::look_at_candidates() {
 void Scene::prepare_works(std::size_t count) {
   if (row_works_.size() < count) row_works_.resize(count);
   const std::size_t room =
-      std::min(count == 1 ? kQueueMax : kQueueMaxOfTask, candidates_.size() + kRowLanes + 2);
+      std::min(count == 1 ? kQueueMax : kQueueMaxOfTask, candidates_.size() + kPairLanes + 2);
   for (RowWork& work : std::span(row_works_).first(count)) {
     for (Queue* const queue : {&work.touching, &work.apart}) queue->make_room_for(room);
     if (work.manifolds.size() < room) resize(work.manifolds, room);
@@ -59,18 +59,14 @@ void Scene::mark_bodies() {
   resize(marks_, states_.size());
   divide(marks_.size(), tasks_for(marks_.size()), [&](const Share& share, std::size_t) {
     for (std::size_t body = share.first; body < share.last; ++body) {
-      marks_[body] = mark_of(paths_[body], states_[body] & (kMoved | kLeft));
+      marks_[body] = mark_of(paths_[body], states_[body]);
     }
   });
 }
 
 /// Pairs whose boxes overlap no longer are looked at a last time: `drop_parted` drops them.
 void Scene::look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work) {
-  std::size_t leaving = 0;
-  for (std::uint32_t a = first; a < last && !left_.empty(); ++a) {
-    leaving += candidates_.row(a).size();
-  }
-  work.leaving.make_room_for(leaving + kRowLanes + 1);
+  if (!left_.empty()) work.leaving.make_room_for(candidates_.size_of(first, last) + kPairLanes + 1);
   if (settings_.recycled_motion > 0) {
     for (std::uint32_t a = first; a < last; ++a) {
       candidates_.prefetch(a + kRowsAhead);

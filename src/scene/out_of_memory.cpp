@@ -41,7 +41,8 @@ void Scene::forget_pairs() {
 /// All are looked at as if they had just been added.
 void Scene::recall_bodies() {
   movers_.clear();
-  make_room(movers_, body_count_);
+  unsure_.clear();
+  make_room_for_movers(body_count_);
   for (std::uint32_t body = 0; body < generations_.size(); ++body) {
     states_[body] = 0;
     if (generations_[body] % 2 == 1) start_path(body);

@@ -2,6 +2,7 @@
 #define HWY_TARGET_INCLUDE "scene/rows.cpp"
 #include <hwy/foreach_target.h>  // includes this file once more for every other target
 // after foreach_target
+#include <bit>
 #include <hwy/highway.h>
 
 #include "afresh/compressed-inl.hpp"
@@ -10,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::scene::HWY_NAMESPACE {
 
-using Lanes = hn::CappedTag<std::uint32_t, kRowLanes>;
+using Lanes = hn::CappedTag<std::uint32_t, kPairLanes>;
 
 /// A queue while it grows: what lies behind its end may be overwritten.
 class Tail {
@@ -25,7 +26,7 @@ class Tail {
   HWY_INLINE void append(hn::Vec<Lanes> a, hn::Vec<Lanes> b, hn::Vec<Lanes> at,
                          hn::Mask<Lanes> mask) {
     const Lanes d;
-    hn::StoreU(a, d, a_ + count_);
+    hn::StoreU(compressed(d, a, mask), d, a_ + count_);
     hn::StoreU(compressed(d, b, mask), d, b_ + count_);
     hn::StoreU(compressed(d, at, mask), d, at_ + count_);
     count_ += hn::CountTrue(d, mask);
@@ -40,52 +41,126 @@ class Tail {
   std::size_t size_ = queue_.a.size();
 };
 
-/// A lane a pair, and hardly a branch that depends on one: those of bodies that left are rare.
-std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
-                        std::uint32_t last, SortedPairs& sorted) {
-  const Lanes d;
-  const hn::RebindToFloat<Lanes> df;
-  const hn::RebindToSigned<Lanes> di;
-  const std::size_t lanes = hn::Lanes(d);
-  Tail touching(sorted.touching);
-  Tail apart(sorted.apart);
-  Tail leaving(sorted.leaving);
-  std::size_t separated = 0;
-  std::uint32_t a = first;
-  for (; a < last; ++a) {
-    candidates.prefetch(a + kRowsAhead);
-    const std::span<Candidate> row = candidates.row(a);
-    if (row.empty()) continue;
-    const std::size_t room = row.size() + lanes;
-    if (!touching.has_room(room) || !apart.has_room(room)) break;
-    if (sorted.any_left && !leaving.has_room(room)) break;
-    const auto mark_a = hn::Set(d, marks[a]);
-    for (std::size_t i = 0; i < row.size(); i += lanes) {
+/// Pairs of rows, one after another: most rows are shorter than a vector.
+class Run {
+ public:
+  static constexpr std::size_t kMax = 512;
+
+  std::size_t size() const { return size_; }
+  void clear() { size_ = 0; }
+
+  /// Copies pairs of a body's row; there is room for them.
+  HWY_INLINE void append(std::span<const Candidate> pairs, std::uint32_t place, std::uint32_t a,
+                         std::uint32_t mark_a) {
+    const hn::CappedTag<std::uint32_t, kRowLanes> d;
+    const std::size_t lanes = hn::Lanes(d);
+    const auto* const from = reinterpret_cast<const std::uint32_t*>(pairs.data());
+    for (std::size_t i = 0; i < pairs.size(); i += lanes) {
+      const std::size_t at = size_ + i;
+      hn::StoreU(hn::LoadU(d, from + 2 * i), d, pairs_ + 2 * at);
+      hn::StoreU(hn::LoadU(d, from + 2 * i + lanes), d, pairs_ + 2 * at + lanes);
+      hn::StoreU(hn::Set(d, a), d, a_ + at);
+      hn::StoreU(hn::Set(d, mark_a), d, mark_a_ + at);
+      const auto first = hn::Set(d, place + static_cast<std::uint32_t>(i));
+      hn::StoreU(hn::Add(first, hn::Iota(d, 0)), d, place_ + at);
+    }
+    size_ += pairs.size();
+  }
+
+  /// A lane a pair, and hardly a branch that depends on one: those of bodies that left are rare.
+  HWY_INLINE void sort(const std::uint32_t* marks, bool any_left, Tail& touching, Tail& apart,
+                       Tail& leaving, std::size_t& separated) const {
+    const Lanes d;
+    const hn::RebindToFloat<Lanes> df;
+    const hn::RebindToSigned<Lanes> di;
+    for (std::size_t i = 0; i < size_; i += hn::Lanes(d)) {
       hn::Vec<Lanes> b;
       hn::Vec<Lanes> known;
-      hn::LoadInterleaved2(d, reinterpret_cast<const std::uint32_t*>(&row[i]), b, known);
-      const auto in_row = hn::FirstN(d, row.size() - i);
-      b = hn::IfThenElseZero(in_row, b);
+      hn::LoadInterleaved2(d, pairs_ + 2 * i, b, known);
+      const auto in_run = hn::FirstN(d, size_ - i);
+      b = hn::IfThenElseZero(in_run, b);
+      const auto mark_a = hn::Load(d, mark_a_ + i);
       const auto mark_b = hn::GatherIndex(d, marks, hn::BitCast(di, b));
       const auto of_both = hn::Or(mark_a, mark_b);
-      const auto moved = hn::And(in_row, hn::TestBit(of_both, hn::Set(d, kHasMoved)));
+      const auto moved = hn::And(in_run, hn::TestBit(of_both, hn::Set(d, kMoved)));
       if (hn::AllFalse(d, moved)) continue;
       const auto paths = hn::Add(hn::BitCast(df, mark_a), hn::BitCast(df, mark_b));
       const auto touches = hn::TestBit(known, hn::Set(d, Candidate::kTouches));
       const auto is_apart = hn::RebindMask(d, hn::Lt(paths, hn::BitCast(df, known)));
-      const auto row_a = hn::Set(d, a);
-      const auto places = hn::Add(hn::Set(d, candidates.place_of(row[i])), hn::Iota(d, 0));
+      const auto a = hn::Load(d, a_ + i);
+      const auto places = hn::Load(d, place_ + i);
       const auto contacts = hn::AndNot(hn::Set(d, Candidate::kTouches), known);
-      touching.append(row_a, b, contacts, hn::And(moved, touches));
-      apart.append(row_a, b, places, hn::AndNot(hn::Or(touches, is_apart), moved));
+      touching.append(a, b, contacts, hn::And(moved, touches));
+      apart.append(a, b, places, hn::AndNot(hn::Or(touches, is_apart), moved));
       separated += hn::CountTrue(d, hn::And(moved, is_apart));
-      if (!sorted.any_left) continue;
-      const auto left = hn::And(in_row, hn::TestBit(of_both, hn::Set(d, kHasLeft)));
-      if (!hn::AllFalse(d, left)) leaving.append(row_a, b, places, left);
+      if (!any_left) continue;
+      const auto left = hn::And(in_run, hn::TestBit(of_both, hn::Set(d, kLeft)));
+      if (!hn::AllFalse(d, left)) leaving.append(a, b, places, left);
     }
   }
-  sorted.separated += separated;
-  return a;
+
+ private:
+  static constexpr std::size_t kRoom = kMax + kPairLanes;  // vectors reach past the last pair
+  HWY_ALIGN std::uint32_t pairs_[2 * kRoom];               // as `Candidate` holds them
+  HWY_ALIGN std::uint32_t a_[kRoom];
+  HWY_ALIGN std::uint32_t mark_a_[kRoom];
+  HWY_ALIGN std::uint32_t place_[kRoom];
+  std::size_t size_ = 0;
+};
+
+/// `look(a)` of each row from the first to before the last in which there are candidates, until it
+/// refuses one, which is returned, or else the last; rows ahead are asked for.
+template <class Look>
+HWY_INLINE std::uint32_t for_each_filled_row(Candidates& candidates, std::uint32_t first,
+                                             std::uint32_t last, const Look& look) {
+  constexpr std::uint32_t kBits = 64;
+  const auto pop = [](std::uint32_t from, std::uint64_t& bits) {
+    const auto place = static_cast<std::uint32_t>(std::countr_zero(bits));
+    bits &= bits - 1;
+    return from + place;
+  };
+  std::uint32_t from = first / kBits * kBits;
+  std::uint64_t bits = candidates.filled_rows(from / kBits) >> (first - from) << (first - from);
+  for (; from < last; from += kBits) {
+    const std::uint64_t next = candidates.filled_rows(from / kBits + 1);
+    std::uint64_t ahead = next;
+    while (bits != 0) {
+      const std::uint32_t a = pop(from, bits);
+      if (a >= last) return last;
+      if (ahead != 0) candidates.prefetch(pop(from + kBits, ahead));
+      if (!look(a)) return a;
+    }
+    while (ahead != 0) candidates.prefetch(pop(from + kBits, ahead));
+    bits = next;
+  }
+  return last;
+}
+
+std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
+                        std::uint32_t last, SortedPairs& sorted) {
+  Tail touching(sorted.touching);
+  Tail apart(sorted.apart);
+  Tail leaving(sorted.leaving);
+  Run run;
+  const auto sort = [&] {
+    run.sort(marks, sorted.any_left, touching, apart, leaving, sorted.separated);
+    run.clear();
+  };
+  const auto look = [&](std::uint32_t a) {
+    const std::span<const Candidate> row = candidates.row(a);
+    const std::size_t room = run.size() + row.size() + kPairLanes;
+    if (!touching.has_room(room) || !apart.has_room(room)) return false;
+    if (sorted.any_left && !leaving.has_room(room)) return false;
+    for (std::size_t i = 0; i < row.size(); i += Run::kMax) {
+      const auto some = row.subspan(i, std::min(row.size() - i, Run::kMax));
+      if (run.size() + some.size() > Run::kMax) sort();
+      run.append(some, candidates.place_of(some.front()), a, marks[a]);
+    }
+    return true;
+  };
+  const std::uint32_t next = for_each_filled_row(candidates, first, last, look);
+  sort();
+  return next;
 }
 
 }  // namespace manifuzz::scene::HWY_NAMESPACE

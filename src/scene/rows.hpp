@@ -6,11 +6,15 @@
 
 #include "kernel/packed.hpp"
 #include "scene/candidates.hpp"
+#include "scene/state.hpp"
 
 namespace manifuzz::scene {
 
 /// So many rows ahead, the next are asked for: they lie anywhere in memory.
 inline constexpr std::uint32_t kRowsAhead = 16;
+
+/// So many pairs are sorted together. A queue has room for as many behind its last one.
+inline constexpr std::size_t kPairLanes = 16;
 
 /// Candidates that wait to be collided or dropped; an array each for what is known of them, with
 /// room for more behind those that wait.
@@ -39,15 +43,11 @@ struct Queue {
   std::size_t bytes() const { return 3 * sizeof(a[0]) * a.capacity(); }
 };
 
-/// What a step must know of a body besides the length of its path.
-enum Mark : std::uint32_t {
-  kHasMoved = 1,  ///< it moved, was added or got another shape
-  kHasLeft = 2,   ///< it left its fattened box
-};
-
-/// Both in one number: the path, a length >= 0, rounded up to where the last two bits are free.
-inline std::uint32_t mark_of(float path, std::uint32_t marks) {
-  return ((std::bit_cast<std::uint32_t>(path) + 3) & ~std::uint32_t{3}) | marks;
+/// What a step must know of a body, in one number: its path, a length >= 0, rounded up to where the
+/// last two bits are free, and in these whether it moved, and whether it left its fattened box.
+inline std::uint32_t mark_of(float path, std::uint8_t state) {
+  return ((std::bit_cast<std::uint32_t>(path) + 3) & ~std::uint32_t{3}) |
+         (state & (kMoved | kLeft));
 }
 
 /// Where the pairs of rows go, of which a body moved.

@@ -9,6 +9,16 @@
 #include "geometry/manifold.hpp"
 
 namespace manifuzz::scene {
+namespace {
+
+/// Moves so many of a list, from a place on, to its end so far, which then is behind them.
+template <class List>
+void close_up(List& list, std::size_t from, std::size_t count, std::size_t& end) {
+  if (from != end) std::copy_n(list.data() + from, count, list.data() + end);
+  end += count;
+}
+
+}  // namespace
 
 Scene::Scene(const Settings& settings) : settings_(settings), shapes_(settings.tie_bias) {
   assert(!find_defect(settings));
@@ -36,7 +46,13 @@ void Scene::make_room_for(std::size_t bodies, bool with_traits) {
   make(placements_, generations_, states_, paths_, leave_at_, boxes_, tight_, left_at_);
   if (with_traits || !traits_.empty()) make_room(traits_, places);
   make_room(free_, 1);
+  make_room_for_movers(bodies);
+}
+
+/// So that so many more can be looked at by the next step.
+void Scene::make_room_for_movers(std::size_t bodies) {
   make_room(movers_, movers_.size() + bodies);
+  make_room(unsure_, unsure_.size() + bodies);
 }
 
 /// A place, for which there is room, of a body that has this shape and no traits yet.
@@ -97,7 +113,7 @@ std::optional<Defect> Scene::set_shape(BodyHandle body, std::uint32_t shape, std
     }
     place = assembly->second.parts[part].handle.index;
   }
-  make_room(movers_, movers_.size() + 1);
+  make_room_for_movers(1);
   placements_[place].shape = shape;
   start_path(place);
   return std::nullopt;
@@ -108,66 +124,50 @@ void Scene::start_path(std::uint32_t body) {
   paths_[body] = kNoPath;
   states_[body] &= static_cast<std::uint8_t>(~kBoxed);
   if (is(body, kMoved)) return;
-  states_[body] |= kMoved;
-  make_room(movers_, movers_.size() + 1);
-  movers_.push_back({body, placements_[body].pose.position});
+  states_[body] |= kMoved | kUnsure;
+  make_room_for_movers(1);
+  movers_.push_back(body);
+  unsure_.push_back({body, placements_[body].pose.position});
 }
 
 /// Bodies to be looked at that are in the scene no more are not looked at.
 void Scene::forget_removed() {
-  std::erase_if(movers_, [&](const Mover& mover) {
-    const bool is_gone = generations_[mover.body] % 2 == 0;
-    if (is_gone) states_[mover.body] = 0;
-    return is_gone;
+  const auto is_gone = [&](std::uint32_t body) { return generations_[body] % 2 == 0; };
+  std::erase_if(unsure_, [&](const Mover& mover) { return is_gone(mover.body); });
+  std::erase_if(movers_, [&](std::uint32_t body) {
+    if (is_gone(body)) states_[body] = 0;
+    return is_gone(body);
   });
 }
 
-/// In tasks where no two moves are of one body, as ascending ones are not; each task has room among
-/// the movers for its share.
+/// In tasks where no two moves are of one body, as ascending ones are not; each task has room in
+/// the lists for its share.
 void Scene::place(std::span<const Move> moves) {
   forget_removed();
-  const std::size_t before = movers_.size();
-  resize(movers_, before + moves.size());
+  const PlacedCounts before{movers_.size(), unsure_.size()};
+  resize(movers_, before.moved + moves.size());
+  resize(unsure_, before.unsure + moves.size());
   const auto place_of = [](const Move& move) { return move.body.index; };
   const bool may_divide =
       executor_ != nullptr &&
       std::ranges::adjacent_find(moves, std::ranges::greater_equal{}, place_of) == moves.end();
   const std::size_t tasks = may_divide ? tasks_for(moves.size()) : 1;
-  std::array<std::size_t, kTasks> counts{};
+  std::array<PlacedCounts, kTasks> counts{};
   divide(moves.size(), tasks, [&](const Share& share, std::size_t task) {
     const auto [first, last] = share;
-    counts[task] = place(moves.subspan(first, last - first), movers_.data() + before + first);
+    counts[task] = place_moves(
+        moves.subspan(first, last - first),
+        {&shapes_.facts(0), placements_.data(), states_.data(), paths_.data(), leave_at_.data(),
+         movers_.data() + before.moved + first, unsure_.data() + before.unsure + first});
   });
-  std::size_t moved = before;
+  PlacedCounts all = before;
   for (std::size_t task = 0; task < tasks; ++task) {
-    const Mover* const some = movers_.data() + before + share_of(moves.size(), task, tasks).first;
-    if (some != movers_.data() + moved) std::copy_n(some, counts[task], movers_.data() + moved);
-    moved += counts[task];
+    const std::size_t first = share_of(moves.size(), task, tasks).first;
+    close_up(movers_, before.moved + first, counts[task].moved, all.moved);
+    close_up(unsure_, before.unsure + first, counts[task].unsure, all.unsure);
   }
-  movers_.resize(moved);
-}
-
-/// Writes the bodies that moved to `movers` and returns how many they are. Arrays are held by local
-/// pointers: a byte may alias any member, and all would be loaded again after each state is
-/// written.
-std::size_t Scene::place(std::span<const Move> moves, Mover* movers) {
-  std::size_t moved = 0;
-  kernel::Placement<float>* const placements = placements_.data();
-  std::uint8_t* const states = states_.data();
-  float* const paths = paths_.data();
-  for (const Move& move : moves) {
-    const std::uint32_t body = move.body.index;
-    auto& [shape, pose] = placements[body];
-    if (same_bits(pose, move.pose)) continue;
-    const std::uint8_t state = states[body];
-    movers[moved] = {body, pose.position};
-    moved += static_cast<std::size_t>((state & kMoved) == 0);
-    states[body] = static_cast<std::uint8_t>((state & ~kBoxed) | kMoved);
-    const float went = displacement(pose, move.pose, shapes_.facts(shape).reach);
-    paths[body] = next_float(paths[body] + went);
-    pose = move.pose;
-  }
-  return moved;
+  movers_.resize(all.moved);
+  unsure_.resize(all.unsure);
 }
 
 void Scene::drop_all(std::uint32_t body) {
@@ -219,8 +219,9 @@ Memory Scene::memory() const {
   return {bytes_of(free_) + bytes_of(removed_) + bytes_of(placements_) + bytes_of(generations_) +
               bytes_of(states_) + bytes_of(paths_) + bytes_of(leave_at_) + bytes_of(boxes_) +
               bytes_of(left_at_) + bytes_of(traits_) + of_assemblies + of_leavers + cells_.bytes() +
-              candidates_.bytes_by_body() + bytes_of(movers_) + bytes_of(part_moves_) +
-              bytes_of(left_) + bytes_of(bodies_) + bytes_of(marks_) + bytes_of(tight_),
+              candidates_.bytes_by_body() + bytes_of(movers_) + bytes_of(unsure_) +
+              bytes_of(part_moves_) + bytes_of(left_) + bytes_of(bodies_) + bytes_of(marks_) +
+              bytes_of(tight_),
           candidates_.bytes_by_pair() + bytes_of(contacts_) + bytes_of(kept_) + of_works +
               bytes_of(vacant_) + bytes_of(began_) + bytes_of(ended_) + bytes_of(renumbered_)};
 }

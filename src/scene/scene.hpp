@@ -11,6 +11,7 @@
 #include "scene/large_pages.hpp"
 #include "scene/parts.hpp"
 #include "scene/settings.hpp"
+#include "scene/state.hpp"
 #include "scene/work.hpp"
 
 // The manifolds of a whole scene, step after step. Of the bodies that moved, in this order:
@@ -97,16 +98,6 @@ class Scene {
   Memory memory() const;
 
  private:
-  /// What happened to a body since the last step, and what is known of it.
-  enum State : std::uint8_t {
-    kMoved = kHasMoved,  ///< it moved, was added or got another shape
-    kLeft = kHasLeft,    ///< it left its fattened box
-    kUnproven = 4,       ///< its path began anew: no proof holds
-    kFiled = 8,          ///< it is in the cells
-    kAlone = 16,         ///< it had no partners when its box was drawn
-    kBoxed = 32,         ///< its tight box is where it is
-  };
-
   /// A contact as the kernel gave it, to be recycled.
   struct Kept {
     Pose<float> b_in_a;
@@ -131,6 +122,7 @@ class Scene {
   }
 
   void make_room_for(std::size_t bodies, bool with_traits);
+  void make_room_for_movers(std::size_t bodies);
   std::uint32_t take_place(std::uint32_t shape, const Pose<float>& pose);
   std::size_t contacts_of(std::uint32_t body);
   void leave_place(std::uint32_t body);
@@ -143,6 +135,7 @@ class Scene {
   void recall_bodies();
   std::optional<RefusedMove> find_refused(std::span<const Move> moves) const;
   std::optional<RefusedMove> find_refused(std::span<const Move> moves, const Share& share) const;
+  bool are_plain(std::span<const Move> moves) const;
   std::span<const Move> moves_of_parts(std::span<const Move> moves);
   bool may_touch(std::uint32_t a, std::uint32_t b) const {
     return traits_.empty() || (!(traits_[a].name.body == traits_[b].name.body) &&
@@ -182,7 +175,6 @@ class Scene {
   void start_path(std::uint32_t body);
   void forget_removed();
   void place(std::span<const Move> moves);
-  std::size_t place(std::span<const Move> moves, Mover* movers);
   bool few_moved() const;
 
   void find_candidates();
@@ -190,7 +182,7 @@ class Scene {
   void find_leavers();
   void find_leavers(const Share& share, LeaverWork& work);
   void leave(const Mover& mover, std::vector<Leaver>& left);
-  void draw_movers(std::span<const std::uint32_t> places);
+  void draw_movers(std::span<const Mover> movers);
   void draw_all_boxes();
   void draw_tight_boxes(std::span<const std::uint32_t> bodies);
   void part_from_partners();
@@ -270,7 +262,8 @@ class Scene {
 
   // What only the step under way needs.
   std::vector<Move> part_moves_;
-  std::vector<Mover> movers_;
+  std::vector<std::uint32_t> movers_;  // bodies that moved
+  std::vector<Mover> unsure_;          // those of them that may have left their fattened boxes
   bool few_moved_ = false;
   bool all_are_boxed_ = false;
   std::vector<Leaver> left_;

@@ -73,8 +73,8 @@ std::size_t Scene::leaver_tasks_for(std::size_t things) {
 void Scene::find_leavers() {
   clear_for(left_, body_count_);
   clear_for(bodies_, body_count_);
-  const std::size_t tasks = leaver_tasks_for(movers_.size());
-  divide(movers_.size(), tasks,
+  const std::size_t tasks = leaver_tasks_for(unsure_.size());
+  divide(unsure_.size(), tasks,
          [&](const Share& share, std::size_t task) { find_leavers(share, leaver_works_[task]); });
   for (LeaverWork& work : std::span(leaver_works_).first(tasks)) {
     for (const Leaver& leaver : work.left) {
@@ -85,27 +85,22 @@ void Scene::find_leavers() {
   }
 }
 
-/// No branch depends on whether one may have left.
 void Scene::find_leavers(const Share& share, LeaverWork& work) {
-  resize(work.places, share.last - share.first + 1);
-  std::uint32_t* const unsure = work.places.data();
-  std::size_t count = 0;
-  for (std::size_t i = share.first; i < share.last; ++i) {
-    const std::uint32_t body = movers_[i].body;
-    unsure[count] = static_cast<std::uint32_t>(i);
-    count += static_cast<std::size_t>(paths_[body] > leave_at_[body]);
-  }
-  work.places.resize(count);
-  if (!all_are_boxed_) draw_movers(work.places);
-  for (const std::uint32_t i : work.places) leave(movers_[i], work.left);
+  const auto unsure = std::span(unsure_).subspan(share.first, share.last - share.first);
+  if (!all_are_boxed_) draw_movers(unsure);
+  for (const Mover& mover : unsure) leave(mover, work.left);
 }
 
-/// Draws the tight boxes of movers, by their places among them.
-void Scene::draw_movers(std::span<const std::uint32_t> places) {
+/// Draws the tight boxes of movers, of which what is needed next is asked for.
+void Scene::draw_movers(std::span<const Mover> movers) {
   std::array<std::uint32_t, 256> bodies;
-  for (std::size_t first = 0; first < places.size(); first += bodies.size()) {
-    const auto some = places.subspan(first, std::min(bodies.size(), places.size() - first));
-    std::ranges::transform(some, bodies.begin(), [&](std::uint32_t i) { return movers_[i].body; });
+  for (std::size_t first = 0; first < movers.size(); first += bodies.size()) {
+    const auto some = movers.subspan(first, std::min(bodies.size(), movers.size() - first));
+    std::ranges::transform(some, bodies.begin(), [&](const Mover& mover) {
+      __builtin_prefetch(&boxes_[mover.body]);
+      __builtin_prefetch(&shapes_.rows(placements_[mover.body].shape));
+      return mover.body;
+    });
     draw_tight_boxes(std::span(bodies).first(some.size()));
   }
 }

@@ -44,7 +44,7 @@ void Scene::settle() {
     state = static_cast<std::uint8_t>(state & (kFiled | kAlone | kBoxed));
   };
   if (few_moved_) {
-    for (const Mover& mover : movers_) settled(states_[mover.body]);
+    for (const std::uint32_t body : movers_) settled(states_[body]);
   } else {
     divide(states_.size(), tasks_for(states_.size()), [&](const Share& share, std::size_t) {
       const auto [first, last] = share;
@@ -52,6 +52,7 @@ void Scene::settle() {
     });
   }
   movers_.clear();
+  unsure_.clear();
   free_.insert(free_.end(), removed_.begin(), removed_.end());
   removed_.clear();
 }

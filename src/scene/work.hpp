@@ -6,6 +6,7 @@
 
 #include "afresh/shape_table.hpp"
 #include "scene/body.hpp"
+#include "scene/placing.hpp"
 #include "scene/rows.hpp"
 
 namespace manifuzz::scene {
@@ -69,12 +70,6 @@ struct RowWork {
   }
 };
 
-/// A body that moved, and from where.
-struct Mover {
-  std::uint32_t body;   ///< its place
-  Vector2<float> from;  ///< in the world
-};
-
 /// A body that left its fattened box, and that box.
 struct Leaver {
   std::uint32_t body;  ///< its place
@@ -83,7 +78,7 @@ struct Leaver {
 
 /// What the look at some bodies needs, and what comes of it.
 struct LeaverWork {
-  std::vector<std::uint32_t> places;  ///< of bodies to be drawn, or of movers that may have left
+  std::vector<std::uint32_t> places;  ///< of bodies to be drawn
   std::vector<Leaver> left;           ///< those that left
 
   /// The memory it takes.

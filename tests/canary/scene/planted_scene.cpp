@@ -13,6 +13,7 @@
 #include "scene/look.cpp"
 #include "scene/out_of_memory.cpp"
 #include "scene/parts.cpp"
+#include "scene/placing.cpp"
 #include "scene/recycled.cpp"
 #include "scene/rows.cpp"
 #include "scene/scene.cpp"

@@ -6,9 +6,6 @@
 namespace manifuzz::test {
 namespace {
 
-constexpr std::size_t kCrowdBodies = 100;
-constexpr int kCrowdSteps = 60;
-
 /// How a body of the crowd goes on, while nothing happens to it.
 struct Course {
   Vector2<float> by{0, 0};
@@ -26,14 +23,14 @@ Course course(Random& random, double resting) {
 
 class Crowd {
  public:
-  Crowd(MakeScene make, std::uint64_t seed)
+  Crowd(MakeScene make, std::uint64_t seed, std::size_t bodies)
       : random_(seed, "crowd", 0), resting_(seed % 2 == 0 ? 0.4 : 0.96), subject_(make) {
-    for (std::size_t i = 0; i < kCrowdBodies; ++i) add();
+    for (std::size_t i = 0; i < bodies; ++i) add();
   }
 
-  /// What is wrong after some steps, if anything.
-  std::optional<std::string> run() {
-    for (int step = 0; step < kCrowdSteps; ++step) {
+  /// What is wrong after so many steps, if anything.
+  std::optional<std::string> run(int steps) {
+    for (int step = 0; step < steps; ++step) {
       for (const std::size_t body : model_.alive()) advance(body);
       if (const auto complaint = subject_.step(model_)) {
         return "step " + std::to_string(step) + ": " + *complaint;
@@ -86,7 +83,11 @@ class Crowd {
 }  // namespace
 
 std::optional<std::string> crowd_complaint(MakeScene make, std::uint64_t seed) {
-  return Crowd(make, seed).run();
+  return Crowd(make, seed, 100).run(60);
+}
+
+std::optional<std::string> dense_crowd_complaint(MakeScene make) {
+  return Crowd(make, 0, 1200).run(3);
 }
 
 }  // namespace manifuzz::test

@@ -10,4 +10,8 @@ namespace manifuzz::test {
 /// generator: bodies drift, turn, rest, vanish and get other shapes. Nothing, if it is sound.
 std::optional<std::string> crowd_complaint(MakeScene make, std::uint64_t seed);
 
+/// Likewise of few steps of so many bodies, in as little space, that more pairs are to be collided
+/// than a scene keeps waiting.
+std::optional<std::string> dense_crowd_complaint(MakeScene make);
+
 }  // namespace manifuzz::test

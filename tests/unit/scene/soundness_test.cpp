@@ -25,3 +25,7 @@ TEST_CASE("a crowd that drifts, turns and jumps equals its pairs afresh bit for 
     CHECK(test::crowd_complaint(kMake, seed).value_or("sound") == "sound");
   }
 }
+
+TEST_CASE("a crowd with more pairs than wait together equals its pairs afresh bit for bit") {
+  CHECK(test::dense_crowd_complaint(kMake).value_or("sound") == "sound");
+}

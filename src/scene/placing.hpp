@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "afresh/shape_table.hpp"
+#include "scene/body.hpp"
+#include "scene/state.hpp"
+
+namespace manifuzz::scene {
+
+/// A body that moved, and from where.
+struct Mover {
+  std::uint32_t body;   ///< its place
+  Vector2<float> from;  ///< in the world
+};
+
+/// What is written where bodies are put: arrays by body, and two lists, each with room for as many
+/// as there are moves.
+struct Placing {
+  const ShapeFacts* facts;               ///< by shape
+  kernel::Placement<float>* placements;  ///< in the world
+  std::uint8_t* states;                  ///< of `State`
+  float* paths;                          ///< how far its vertices went, at most; lengths
+  const float* leave_at;                 ///< it is in its fattened box until its path is longer
+  std::uint32_t* moved;                  ///< bodies that had not moved in this step
+  Mover* unsure;  ///< those that may have left their fattened boxes from now on
+};
+
+/// How many were added to the lists.
+struct PlacedCounts {
+  std::size_t moved = 0;   ///< bodies that moved
+  std::size_t unsure = 0;  ///< bodies that may have left their fattened boxes
+};
+
+/// Puts bodies, which must be there, where they are now, move by move.
+PlacedCounts place_moves(std::span<const Move> moves, const Placing& placing);
+
+}  // namespace manifuzz::scene
