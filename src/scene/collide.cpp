@@ -58,6 +58,7 @@ void Scene::leave_out_apart(RowWork& work) {
 /// Each pair's manifold goes where `out` says of its place in the queue.
 template <class Out>
 void Scene::collide(const Queue& queue, const Out& out, RowWork& work) {
+  if (queue.count == 0) return;
   kernel::PairStream<float> stream(shapes_.for_pairs(), placements_, settings_.tie_bias);
   for (std::size_t i = 0; i < queue.count; ++i) {
     __builtin_prefetch(&placements_[queue.b[ahead_of(i, kContactsAhead, queue.count)]]);
