@@ -27,6 +27,13 @@ std::size_t bytes_of(const Vector& list) {
   return list.capacity() * sizeof(list[0]);
 }
 
+/// Asks for an element ahead of its use; there need be none.
+template <class Vector>
+void ask_for(const Vector& vector, std::size_t place) {
+  const auto first = reinterpret_cast<std::uintptr_t>(vector.data());
+  __builtin_prefetch(reinterpret_cast<const void*>(first + place * sizeof(vector[0])));
+}
+
 /// Empties a list of what happened to so many bodies; where it once held most of them, and does no
 /// more, its memory goes.
 template <class Vector>

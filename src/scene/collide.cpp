@@ -42,7 +42,7 @@ void Scene::leave_out_apart(RowWork& work) {
   const std::size_t count = std::exchange(apart.count, 0);
   const Box* const tight = tight_.data();
   for (std::size_t i = 0; i < count; ++i) {
-    __builtin_prefetch(&tight[apart.b[ahead_of(i, kContactsAhead, count)]]);
+    ask_for(tight_, apart.b[i + kPairLanes]);
     const kernel::BodyPair bodies = apart.bodies(i);
     const std::uint32_t place = apart.at[i];
     const float room = gap(tight[bodies.a], tight[bodies.b]);
@@ -57,12 +57,16 @@ void Scene::leave_out_apart(RowWork& work) {
 
 /// Each pair's manifold goes where `out` says of its place in the queue.
 template <class Out>
-void Scene::collide(const Queue& queue, const Out& out, RowWork& work) {
+void Scene::collide(const Queue& queue, Out out, RowWork& work) {
   if (queue.count == 0) return;
   kernel::PairStream<float> stream(shapes_.for_pairs(), placements_, settings_.tie_bias);
-  for (std::size_t i = 0; i < queue.count; ++i) {
-    __builtin_prefetch(&placements_[queue.b[ahead_of(i, kContactsAhead, queue.count)]]);
-    stream.push(queue.bodies(i), out(i));
+  const std::span a(queue.a);  // known not to change
+  const std::span b(queue.b);
+  const std::span placements(placements_);
+  const std::size_t count = queue.count;
+  for (std::size_t i = 0; i < count; ++i) {
+    ask_for(placements, b[i + kPairLanes]);
+    stream.push({a[i], b[i]}, out(i));
   }
   stream.finish();
   work.pairs.collided += queue.count;
@@ -77,9 +81,10 @@ void Scene::collide_waiting(RowWork& work) {
 /// vacant until contacts begin.
 void Scene::collide_touching(RowWork& work) {
   Queue& queue = work.touching;
-  const auto out = [&](std::size_t i) -> Manifold<float>& {
-    __builtin_prefetch(&contacts_[queue.at[ahead_of(i, kContactsAhead, queue.count)]]);
-    return contacts_[queue.at[i]].manifold;
+  const auto out = [contacts = std::span(contacts_),
+                    at = std::span(queue.at)](std::size_t i) -> Manifold<float>& {
+    ask_for(contacts, at[i + kPairLanes]);
+    return contacts[at[i]].manifold;
   };
   collide(queue, out, work);
   if (settings_.recycled_motion > 0) keep_touching(queue);
@@ -114,8 +119,8 @@ void Scene::keep_touching(const Queue& touching) {
 void Scene::collide_apart(RowWork& work) {
   leave_out_apart(work);
   Queue& apart = work.apart;
-  std::vector<Manifold<float>>& manifolds = work.manifolds;
-  const auto out = [&](std::size_t i) -> Manifold<float>& { return manifolds[i]; };
+  const std::span manifolds(work.manifolds);
+  const auto out = [manifolds](std::size_t i) -> Manifold<float>& { return manifolds[i]; };
   collide(apart, out, work);
   for (std::size_t i = 0; i < apart.count; ++i) {
     const kernel::BodyPair bodies = apart.bodies(i);

@@ -47,8 +47,7 @@ void Scene::look_at_candidates() {
 
 void Scene::prepare_works(std::size_t count) {
   if (row_works_.size() < count) row_works_.resize(count);
-  const std::size_t room =
-      std::min(count == 1 ? kQueueMax : kQueueMaxOfTask, candidates_.size() + kPairLanes + 2);
+  const std::size_t room = std::min(count == 1 ? kQueueMax : kQueueMaxOfTask, candidates_.size());
   for (RowWork& work : std::span(row_works_).first(count)) {
     for (Queue* const queue : {&work.touching, &work.apart}) queue->make_room_for(room);
     if (work.manifolds.size() < room) resize(work.manifolds, room);
@@ -66,7 +65,7 @@ void Scene::mark_bodies() {
 
 /// Pairs whose boxes overlap no longer are looked at a last time: `drop_parted` drops them.
 void Scene::look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work) {
-  if (!left_.empty()) work.leaving.make_room_for(candidates_.size_of(first, last) + kPairLanes + 1);
+  if (!left_.empty()) work.leaving.make_room_for(candidates_.size_of(first, last));
   if (settings_.recycled_motion > 0) {
     for (std::uint32_t a = first; a < last; ++a) {
       candidates_.prefetch(a + kRowsAhead);
@@ -99,7 +98,7 @@ void Scene::look_at_row(std::uint32_t a, RowWork& work) {
 void Scene::leave_out_overlapping(Queue& leaving) const {
   const std::size_t count = std::exchange(leaving.count, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    __builtin_prefetch(&boxes_[leaving.b[ahead_of(i, kContactsAhead, count)]]);
+    ask_for(boxes_, leaving.b[i + kPairLanes]);
     const kernel::BodyPair bodies = leaving.bodies(i);
     leaving.push(bodies, leaving.at[i], !overlap(bodies.a, bodies.b));
   }
@@ -129,8 +128,8 @@ void Scene::look_at(std::uint32_t a, Candidate& candidate, RowWork& work) {
     ++work.pairs.separated;
     return;
   }
-  if (!work.touching.has_room(1)) collide_touching(work);
-  if (!work.apart.has_room(1)) collide_apart(work);
+  if (work.touching.count == work.touching.room()) collide_touching(work);
+  if (work.apart.count == work.apart.room()) collide_apart(work);
   if (touches) {
     work.touching.push({a, b}, candidate.contact());
   } else {

@@ -130,23 +130,10 @@ std::optional<RefusedMove> Scene::find_refused(std::span<const Move> moves) cons
   return first == refused.end() ? std::nullopt : *first;
 }
 
-/// Whether no body has several parts and all moves are free of defects: in most steps it is so, and
-/// no branch depends on any.
-bool Scene::are_plain(std::span<const Move> moves) const {
-  if (!assemblies_.empty() || generations_.empty()) return false;
-  bool all = true;
-  for (const auto& [body, pose] : moves) {
-    const bool is_place = body.index < generations_.size();
-    const bool is_there = generations_[is_place ? body.index : 0] == body.generation;
-    all &= is_place & is_there & (body.generation % 2 == 1) & is_near(pose.position) &
-           is_unit_rotation(pose.rotation);
-  }
-  return all;
-}
-
 std::optional<RefusedMove> Scene::find_refused(std::span<const Move> moves,
                                                const Share& share) const {
-  if (are_plain(moves.subspan(share.first, share.last - share.first))) return std::nullopt;
+  const auto some = moves.subspan(share.first, share.last - share.first);
+  if (assemblies_.empty() && are_sound(some, generations_)) return std::nullopt;
   for (std::size_t i = share.first; i < share.last; ++i) {
     const auto& [body, pose] = moves[i];
     if (!is_known(body)) return RefusedMove{i, Defect::unknown_body};

@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include "afresh/compressed-inl.hpp"
+#include "afresh/defect.hpp"
 #include "kernel/lanes-inl.hpp"
 #include "scene/placing.hpp"
 
@@ -19,9 +20,9 @@ using BodyLanes = hn::RebindToUnsigned<MoveLanes>;
 /// So many bodies ahead, all that is known of one is asked for: most lie in memory as they move.
 constexpr std::size_t kBodiesAhead = 160;
 
-/// Asks for the cache lines of so many things, so many behind the first; there need be none.
+/// Asks for so many things, so far behind the first; there need be none.
 template <class T>
-HWY_INLINE void ask_for(const T* first, std::size_t ahead, std::size_t count) {
+HWY_INLINE void ask_for_lines(const T* first, std::size_t ahead, std::size_t count) {
   constexpr std::size_t kLine = 64;
   const auto from = reinterpret_cast<std::uintptr_t>(first) + ahead * sizeof(T);
   for (std::size_t at = 0; at < count * sizeof(T); at += kLine) {
@@ -52,9 +53,10 @@ HWY_INLINE void place_one(const Move& move, const Placing& placing, PlacedCounts
   pose = move.pose;
 }
 
-/// Poses that lie so many bytes apart: rows of x, y, cos and sin.
-HWY_INLINE void load_poses(const Pose<float>& first, std::size_t stride, Lengths (&rows)[4]) {
-  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(&first);
+/// Sixteen bytes of things that lie so many bytes apart, as four rows: of a pose x, y, cos and sin.
+template <class T>
+HWY_INLINE void load_four(const T* first, std::size_t stride, Lengths (&rows)[4]) {
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(first);
   const auto at = [&](std::size_t lane) {
     return reinterpret_cast<const float*>(bytes + stride * lane);
   };
@@ -107,13 +109,13 @@ HWY_INLINE void place_strip(const Move* moves, const Placing& placing, PlacedCou
   kernel::Placement<float>* const placements = placing.placements + first;
   float* const paths = placing.paths + first;
   std::uint8_t* const states = placing.states + first;
-  ask_for(placements, kBodiesAhead, lanes);
-  ask_for(paths, kBodiesAhead, lanes);
-  ask_for(placing.leave_at + first, kBodiesAhead, lanes);
+  ask_for_lines(placements, kBodiesAhead, lanes);
+  ask_for_lines(paths, kBodiesAhead, lanes);
+  ask_for_lines(placing.leave_at + first, kBodiesAhead, lanes);
   Lengths from[4];
   Lengths to[4];
-  load_poses(placements->pose, sizeof(*placements), from);
-  load_poses(moves->pose, sizeof(*moves), to);
+  load_four(&placements->pose, sizeof(*placements), from);
+  load_four(&moves->pose, sizeof(*moves), to);
   const auto is_same = [&](int row) {
     return hn::Eq(hn::BitCast(di, from[row]), hn::BitCast(di, to[row]));
   };
@@ -140,30 +142,76 @@ HWY_INLINE void place_strip(const Move* moves, const Placing& placing, PlacedCou
   for (std::size_t lane = 0; lane < lanes; ++lane) placements[lane].pose = moves[lane].pose;
 }
 
-/// Whether the bodies of so many moves lie one after another.
-HWY_INLINE bool follow_each_other(const Move* moves, std::size_t count) {
+/// Whether the bodies of as many moves as there are lanes lie one after another.
+HWY_INLINE bool follow_each_other(const Move* moves) {
   std::uint32_t differences = 0;
-  for (std::uint32_t i = 1; i < count; ++i) {
+  for (std::uint32_t i = 1; i < hn::Lanes(MoveLanes()); ++i) {
     differences |= moves[i].body.index - moves[0].body.index - i;
   }
   return differences == 0;
 }
 
-PlacedCounts place_moves(std::span<const Move> moves, const Placing& placing_by_caller) {
-  const Placing placing = placing_by_caller;  // nothing that is written changes it
+/// `strip(moves)` of as many as there are lanes and follow each other, `one(move)` of the others.
+template <class Strip, class One>
+HWY_INLINE void for_each_strip(std::span<const Move> moves, const Strip& strip, const One& one) {
   const std::size_t lanes = hn::Lanes(MoveLanes());
-  PlacedCounts counts;
   std::size_t i = 0;
-  while (i < moves.size()) {
-    const Move* const some = &moves[i];
-    const std::size_t count = std::min(lanes, moves.size() - i);
-    i += count;
-    if (count == lanes && follow_each_other(some, count)) {
-      place_strip(some, placing, counts);
+  for (; i + lanes <= moves.size(); i += lanes) {
+    const auto some = moves.subspan(i, lanes);
+    if (follow_each_other(some.data())) {
+      strip(some);
     } else {
-      for (const Move& move : std::span(some, count)) place_one(move, placing, counts);
+      for (const Move& move : some) one(move);
     }
   }
+  for (const Move& move : moves.subspan(i)) one(move);
+}
+
+HWY_INLINE bool is_sound(const Move& move, std::span<const std::uint32_t> generations) {
+  const auto& [index, generation] = move.body;
+  return index < generations.size() && generations[index] == generation && generation % 2 == 1 &&
+         !find_defect(move.pose);
+}
+
+/// Whether the moves of a strip are sound for certain: rotations are taken to be unit where they
+/// are as floats round it, which adds four roundoffs at most.
+HWY_INLINE bool are_plainly_sound(const Move* moves, std::span<const std::uint32_t> generations) {
+  const MoveLanes d;
+  const BodyLanes di;
+  const std::size_t first = moves->body.index;
+  if (first + hn::Lanes(d) > generations.size()) return false;
+  Lengths head[4];  // index, generation and position
+  Lengths pose[4];
+  load_four(&moves->body, sizeof(*moves), head);
+  load_four(&moves->pose, sizeof(*moves), pose);
+  const auto generation = hn::LoadU(di, generations.data() + first);
+  const auto is_named = hn::Eq(generation, hn::BitCast(di, head[1]));
+  const auto is_there = hn::And(is_named, hn::TestBit(generation, hn::Set(di, 1)));
+  const auto is_near = [&](int row) { return hn::Le(hn::Abs(pose[row]), hn::Set(d, kLengthMax)); };
+  const auto squares = hn::Add(hn::Mul(pose[2], pose[2]), hn::Mul(pose[3], pose[3]));
+  const auto off = hn::Abs(hn::Sub(squares, hn::Set(d, 1)));
+  constexpr float kOffMax = static_cast<float>(kRotationTolerance) - 4 * kRoundoff;
+  const auto is_unit = hn::Le(off, hn::Set(d, kOffMax));
+  const auto is_pose = hn::And(is_unit, hn::And(is_near(0), is_near(1)));
+  return hn::AllTrue(d, hn::And(is_pose, hn::RebindMask(d, is_there)));
+}
+
+bool are_sound(std::span<const Move> moves, std::span<const std::uint32_t> generations) {
+  bool all = true;
+  const auto one = [&](const Move& move) { all = all && is_sound(move, generations); };
+  const auto strip = [&](std::span<const Move> some) {
+    if (!are_plainly_sound(some.data(), generations)) std::ranges::for_each(some, one);
+  };
+  for_each_strip(moves, strip, one);
+  return all;
+}
+
+PlacedCounts place_moves(std::span<const Move> moves, const Placing& placing_by_caller) {
+  const Placing placing = placing_by_caller;  // nothing that is written changes it
+  PlacedCounts counts;
+  for_each_strip(
+      moves, [&](std::span<const Move> some) { place_strip(some.data(), placing, counts); },
+      [&](const Move& move) { place_one(move, placing, counts); });
   return counts;
 }
 
@@ -173,7 +221,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace manifuzz::scene {
 
+HWY_EXPORT(are_sound);
 HWY_EXPORT(place_moves);
+
+bool are_sound(std::span<const Move> moves, std::span<const std::uint32_t> generations) {
+  return HWY_DYNAMIC_DISPATCH(are_sound)(moves, generations);
+}
 
 PlacedCounts place_moves(std::span<const Move> moves, const Placing& placing) {
   return HWY_DYNAMIC_DISPATCH(place_moves)(moves, placing);

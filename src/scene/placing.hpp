@@ -33,6 +33,10 @@ struct PlacedCounts {
   std::size_t unsure = 0;  ///< bodies that may have left their fattened boxes
 };
 
+/// Whether all moves are free of defects, and of bodies that are there: these have odd generations,
+/// given by place.
+bool are_sound(std::span<const Move> moves, std::span<const std::uint32_t> generations);
+
 /// Puts bodies, which must be there, where they are now, move by move.
 PlacedCounts place_moves(std::span<const Move> moves, const Placing& placing);
 

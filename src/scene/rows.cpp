@@ -20,7 +20,7 @@ class Tail {
       : queue_(queue), a_(queue.a.data()), b_(queue.b.data()), at_(queue.at.data()) {}
   ~Tail() { queue_.count = count_; }
 
-  bool has_room(std::size_t more) const { return count_ + more < size_; }
+  bool has_room(std::size_t more) const { return count_ + more <= room_; }
 
   /// The pairs in a mask's lanes.
   HWY_INLINE void append(hn::Vec<Lanes> a, hn::Vec<Lanes> b, hn::Vec<Lanes> at,
@@ -38,7 +38,7 @@ class Tail {
   std::uint32_t* b_;
   std::uint32_t* at_;
   std::size_t count_ = queue_.count;
-  std::size_t size_ = queue_.a.size();
+  std::size_t room_ = queue_.room();
 };
 
 /// Pairs of rows, one after another: most rows are shorter than a vector.
@@ -148,9 +148,9 @@ std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std:
   };
   const auto look = [&](std::uint32_t a) {
     const std::span<const Candidate> row = candidates.row(a);
-    const std::size_t room = run.size() + row.size() + kPairLanes;
-    if (!touching.has_room(room) || !apart.has_room(room)) return false;
-    if (sorted.any_left && !leaving.has_room(room)) return false;
+    const std::size_t more = run.size() + row.size();
+    if (!touching.has_room(more) || !apart.has_room(more)) return false;
+    if (sorted.any_left && !leaving.has_room(more)) return false;
     for (std::size_t i = 0; i < row.size(); i += Run::kMax) {
       const auto some = row.subspan(i, std::min(row.size() - i, Run::kMax));
       if (run.size() + some.size() > Run::kMax) sort();

@@ -13,11 +13,12 @@ namespace manifuzz::scene {
 /// So many rows ahead, the next are asked for: they lie anywhere in memory.
 inline constexpr std::uint32_t kRowsAhead = 16;
 
-/// So many pairs are sorted together. A queue has room for as many behind its last one.
+/// So many pairs are sorted together, and so far ahead what a pair needs is asked for.
 inline constexpr std::size_t kPairLanes = 16;
 
 /// Candidates that wait to be collided or dropped; an array each for what is known of them, with
-/// room for more behind those that wait.
+/// room for more behind those that wait, and kPairLanes behind that room: these may be written and
+/// read, and mean nothing.
 struct Queue {
   std::vector<std::uint32_t> a;   ///< the body of lower index
   std::vector<std::uint32_t> b;   ///< the other
@@ -25,12 +26,12 @@ struct Queue {
   std::size_t count = 0;          ///< of those that wait
 
   kernel::BodyPair bodies(std::size_t i) const { return {a[i], b[i]}; }
-  /// Whether so many more leave some of the room.
-  bool has_room(std::size_t more) const { return count + more < a.size(); }
+  /// How many find room.
+  std::size_t room() const { return a.empty() ? 0 : a.size() - kPairLanes; }
   /// At least so much room.
   void make_room_for(std::size_t pairs) {
-    if (a.size() >= pairs) return;
-    for (auto* const column : {&a, &b, &at}) resize(*column, pairs);
+    if (room() >= pairs) return;
+    for (auto* const column : {&a, &b, &at}) resize(*column, pairs + kPairLanes);
   }
   /// The next one, if it is chosen; no branch depends on that.
   void push(const kernel::BodyPair& pair, std::uint32_t where, bool chosen = true) {

@@ -135,7 +135,6 @@ class Scene {
   void recall_bodies();
   std::optional<RefusedMove> find_refused(std::span<const Move> moves) const;
   std::optional<RefusedMove> find_refused(std::span<const Move> moves, const Share& share) const;
-  bool are_plain(std::span<const Move> moves) const;
   std::span<const Move> moves_of_parts(std::span<const Move> moves);
   bool may_touch(std::uint32_t a, std::uint32_t b) const {
     return traits_.empty() || (!(traits_[a].name.body == traits_[b].name.body) &&
@@ -204,7 +203,7 @@ class Scene {
   void leave_out_apart(RowWork& work);
   void draw_undrawn(RowWork& work);
   template <class Out>
-  void collide(const Queue& queue, const Out& out, RowWork& work);
+  void collide(const Queue& queue, Out out, RowWork& work);
   void collide_waiting(RowWork& work);
   void collide_touching(RowWork& work);
   void keep_touching(const Queue& touching);

@@ -1,6 +1,7 @@
 #include "scene/placing.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -72,6 +73,30 @@ std::vector<Move> any_moves(const Placed& placed, std::uint64_t seed) {
   return moves;
 }
 
+/// One of its numbers is no longer what it was, by much or by little.
+void spoil(Move& move, Random& random) {
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const float numbers[] = {kNaN, kInfinity, -kInfinity, 1e15F, 1.001e15F, -1.001e15F, 0};
+  const float number = numbers[random.integer(0, 6)];
+  switch (random.integer(0, 4)) {
+    case 0:
+      move.body.index = static_cast<std::uint32_t>(random.bits());
+      return;
+    case 1:
+      move.body.generation += static_cast<std::uint32_t>(random.integer(1, 2));
+      return;
+    case 2:
+      move.pose.position[random.integer(0, 1)] = number;
+      return;
+    case 3:
+      move.pose.rotation[random.integer(0, 1)] = number;
+      return;
+    default:  // to where a rotation is unit no more
+      move.pose.rotation *= static_cast<float>(1 + random.uniform(4.9e-6, 5.1e-6));
+  }
+}
+
 bool is_same(const Placed& one, const Placed& other) {
   const auto same_placement = [](const auto& p, const auto& q) {
     return p.shape == q.shape && same_bits(p.pose, q.pose);
@@ -95,6 +120,40 @@ TEST_CASE("many moves at once leave what they leave one by one") {
     for (const Move& move : moves) one_by_one.place(std::span(&move, 1));
     RC_ASSERT(is_same(at_once, one_by_one));
   }));
+}
+
+TEST_CASE("many moves are sound where each of them is") {
+  CHECK(rc::check("whatever is wrong with some, or nothing", [](std::uint64_t seed) {
+    Random random = test::motion(seed);
+    const std::vector<Move> sound = any_moves(Placed(seed), seed + 1);
+    const std::vector<std::uint32_t> generations(random.chance(0.1) ? kBodies / 2 : kBodies, 1);
+    const auto is_sound = [&](const Move& move) {
+      return scene::are_sound(std::span(&move, 1), generations);
+    };
+    for (int spoilt = 0; spoilt < 20; ++spoilt) {
+      std::vector<Move> moves = sound;
+      if (!moves.empty() && spoilt > 0) {
+        const int last = static_cast<int>(moves.size()) - 1;
+        spoil(moves[static_cast<std::size_t>(random.integer(0, last))], random);
+      }
+      RC_ASSERT(scene::are_sound(moves, generations) == std::ranges::all_of(moves, is_sound));
+    }
+  }));
+}
+
+TEST_CASE("a move is sound of a body that is there, to a pose without a defect") {
+  const std::vector<std::uint32_t> generations{1, 2, 3};
+  const auto is_sound = [&](const Move& move) {
+    return scene::are_sound(std::span(&move, 1), generations);
+  };
+  const Pose<float> pose;
+  CHECK(is_sound({{2, 3}, pose}));
+  CHECK_FALSE(is_sound({{2, 1}, pose}));
+  CHECK_FALSE(is_sound({{1, 2}, pose}));
+  CHECK_FALSE(is_sound({{3, 1}, pose}));
+  CHECK_FALSE(is_sound({{0, 1}, {{std::numeric_limits<float>::quiet_NaN(), 0}, {1, 0}}}));
+  CHECK_FALSE(is_sound({{0, 1}, {{0, 0}, {1, 0.01F}}}));
+  CHECK_FALSE(scene::are_sound(std::vector<Move>{{{0, 1}, pose}}, {}));
 }
 
 TEST_CASE("a body that moves twice in a step is told of once, and goes both ways") {
