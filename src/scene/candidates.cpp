@@ -28,7 +28,7 @@ void Candidates::add(std::uint32_t a, std::uint32_t b) {
   if (rows_[a].count == rows_[a].room) {
     if (end_ > 3 * count_ + rows_.size()) pack();
   }
-  Row& row = rows_[a];
+  CandidateRow& row = rows_[a];
   if (row.count == row.room) {
     const auto first = static_cast<std::uint32_t>(end_);
     const std::uint32_t room = room_for(row.count);
@@ -49,13 +49,13 @@ void Candidates::pack() {
   LargeVector<Candidate> packed;
   std::size_t size = 0;
   longest_row_ = 0;
-  for (const Row& row : rows_) {
+  for (const CandidateRow& row : rows_) {
     size += row.count == 0 ? 0 : room_for(row.count);
     longest_row_ = std::max(longest_row_, row.count);
   }
   make_room(packed, size + kRowLanes);
-  for (Row& row : rows_) {
-    const Row before = row;
+  for (CandidateRow& row : rows_) {
+    const CandidateRow before = row;
     if (row.count == 0) {
       row = {};
       continue;

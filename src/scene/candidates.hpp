@@ -46,6 +46,33 @@ class Candidate {
 /// end of a row.
 inline constexpr std::size_t kRowLanes = 8;
 
+/// So many rows share a number, in which each has a bit.
+inline constexpr std::uint32_t kRowBits = 64;
+
+/// Where a body's row is among all candidates.
+struct CandidateRow {
+  std::uint32_t first = 0;  ///< its first place
+  std::uint32_t count = 0;  ///< of its candidates
+  std::uint32_t room = 0;   ///< for so many
+};
+
+/// All rows, to be gone through while none changes: held by value, they are known not to.
+struct CandidateRows {
+  const CandidateRow* rows;               ///< by body
+  std::span<const std::uint64_t> filled;  ///< a bit a body: whether there are candidates in its row
+  const Candidate* all;                   ///< by place
+
+  std::span<const Candidate> row(std::uint32_t a) const {
+    return {all + rows[a].first, rows[a].count};
+  }
+  /// Asks for a row in which there are candidates; most are no longer than two cache lines.
+  void prefetch(std::uint32_t a) const {
+    const std::span<const Candidate> soon = row(a);
+    __builtin_prefetch(&soon.front());
+    __builtin_prefetch(&soon.back());
+  }
+};
+
 /// The candidate pairs: those of a body with bodies of higher index lie together, rows in one
 /// array.
 class Candidates {
@@ -66,17 +93,12 @@ class Candidates {
     return {all_.data() + rows_[a].first, rows_[a].count};
   }
 
-  /// Which of the 64 bodies from 64 times this number on have candidates in their rows: a bit each.
-  std::uint64_t filled_rows(std::size_t number) const {
-    return number < filled_.size() ? filled_[number] : 0;
-  }
+  /// All rows; valid until a pair is added or dropped.
+  CandidateRows all_rows() const { return {rows_.data(), filled_, all_.data()}; }
 
-  /// Asks for a body's row ahead of its use; most are no longer than two cache lines.
-  void prefetch(std::uint32_t a) {
-    const std::span<Candidate> soon = row(a);
-    if (soon.empty()) return;
-    __builtin_prefetch(&soon.front());
-    __builtin_prefetch(&soon.back());
+  /// Asks for a body's row ahead of its use.
+  void prefetch(std::uint32_t a) const {
+    if (a < rows_.size() && rows_[a].count > 0) all_rows().prefetch(a);
   }
 
   /// A candidate by its place, which it keeps until a pair is added or dropped.
@@ -108,18 +130,11 @@ class Candidates {
   std::size_t bytes_by_pair() const { return all_.capacity() * sizeof(Candidate); }
 
  private:
-  static constexpr std::uint32_t kRowBits = 64;
   static std::uint64_t row_bit(std::uint32_t a) { return std::uint64_t{1} << (a % kRowBits); }
-
-  struct Row {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-    std::uint32_t room = 0;
-  };
 
   void pack();
 
-  std::vector<Row> rows_;              // by body
+  std::vector<CandidateRow> rows_;     // by body
   std::vector<std::uint64_t> filled_;  // a bit a body: whether its row has candidates
   LargeVector<Candidate> all_;         // and kRowLanes past the last row's room
   std::size_t end_ = 0;                // of the last row's room

@@ -74,7 +74,7 @@ void Scene::look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work)
   } else {
     SortedPairs sorted{work.touching, work.apart, work.leaving, !left_.empty()};
     for (std::uint32_t a = first; a < last;) {
-      const std::uint32_t next = sort_rows(candidates_, marks_.data(), a, last, sorted);
+      const std::uint32_t next = sort_rows(candidates_.all_rows(), marks_.data(), a, last, sorted);
       if (next == a) look_at_row(a, work);  // longer than the queues
       a = std::max(next, a + 1);
       collide_waiting(work);

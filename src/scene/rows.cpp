@@ -111,33 +111,37 @@ class Run {
 /// `look(a)` of each row from the first to before the last in which there are candidates, until it
 /// refuses one, which is returned, or else the last; rows ahead are asked for.
 template <class Look>
-HWY_INLINE std::uint32_t for_each_filled_row(Candidates& candidates, std::uint32_t first,
+HWY_INLINE std::uint32_t for_each_filled_row(const CandidateRows& rows, std::uint32_t first,
                                              std::uint32_t last, const Look& look) {
-  constexpr std::uint32_t kBits = 64;
   const auto pop = [](std::uint32_t from, std::uint64_t& bits) {
     const auto place = static_cast<std::uint32_t>(std::countr_zero(bits));
     bits &= bits - 1;
     return from + place;
   };
-  std::uint32_t from = first / kBits * kBits;
-  std::uint64_t bits = candidates.filled_rows(from / kBits) >> (first - from) << (first - from);
-  for (; from < last; from += kBits) {
-    const std::uint64_t next = candidates.filled_rows(from / kBits + 1);
+  const auto filled = [&](std::uint32_t from) {
+    const std::size_t number = from / kRowBits;
+    return number < rows.filled.size() ? rows.filled[number] : 0;
+  };
+  std::uint32_t from = first / kRowBits * kRowBits;
+  std::uint64_t bits = filled(from) >> (first - from) << (first - from);
+  for (; from < last; from += kRowBits) {
+    const std::uint64_t next = filled(from + kRowBits);
     std::uint64_t ahead = next;
     while (bits != 0) {
       const std::uint32_t a = pop(from, bits);
       if (a >= last) return last;
-      if (ahead != 0) candidates.prefetch(pop(from + kBits, ahead));
+      if (ahead != 0) rows.prefetch(pop(from + kRowBits, ahead));
       if (!look(a)) return a;
     }
-    while (ahead != 0) candidates.prefetch(pop(from + kBits, ahead));
+    while (ahead != 0) rows.prefetch(pop(from + kRowBits, ahead));
     bits = next;
   }
   return last;
 }
 
-std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
+std::uint32_t sort_rows(const CandidateRows& all, const std::uint32_t* marks, std::uint32_t first,
                         std::uint32_t last, SortedPairs& sorted) {
+  const CandidateRows rows = all;
   Tail touching(sorted.touching);
   Tail apart(sorted.apart);
   Tail leaving(sorted.leaving);
@@ -147,18 +151,18 @@ std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std:
     run.clear();
   };
   const auto look = [&](std::uint32_t a) {
-    const std::span<const Candidate> row = candidates.row(a);
+    const std::span<const Candidate> row = rows.row(a);
     const std::size_t more = run.size() + row.size();
     if (!touching.has_room(more) || !apart.has_room(more)) return false;
     if (sorted.any_left && !leaving.has_room(more)) return false;
     for (std::size_t i = 0; i < row.size(); i += Run::kMax) {
       const auto some = row.subspan(i, std::min(row.size() - i, Run::kMax));
       if (run.size() + some.size() > Run::kMax) sort();
-      run.append(some, candidates.place_of(some.front()), a, marks[a]);
+      run.append(some, rows.rows[a].first + static_cast<std::uint32_t>(i), a, marks[a]);
     }
     return true;
   };
-  const std::uint32_t next = for_each_filled_row(candidates, first, last, look);
+  const std::uint32_t next = for_each_filled_row(rows, first, last, look);
   sort();
   return next;
 }
@@ -171,9 +175,9 @@ namespace manifuzz::scene {
 
 HWY_EXPORT(sort_rows);
 
-std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
+std::uint32_t sort_rows(const CandidateRows& rows, const std::uint32_t* marks, std::uint32_t first,
                         std::uint32_t last, SortedPairs& sorted) {
-  return HWY_DYNAMIC_DISPATCH(sort_rows)(candidates, marks, first, last, sorted);
+  return HWY_DYNAMIC_DISPATCH(sort_rows)(rows, marks, first, last, sorted);
 }
 
 }  // namespace manifuzz::scene

@@ -62,7 +62,7 @@ struct SortedPairs {
 
 /// Sorts the rows from the first to before the last, as long as the queues have room for one; the
 /// row to go on with. `marks` is by body.
-std::uint32_t sort_rows(Candidates& candidates, const std::uint32_t* marks, std::uint32_t first,
+std::uint32_t sort_rows(const CandidateRows& rows, const std::uint32_t* marks, std::uint32_t first,
                         std::uint32_t last, SortedPairs& sorted);
 
 }  // namespace manifuzz::scene
