@@ -19,6 +19,11 @@ void BoxColumns::clear(std::size_t entry) {
   body[entry] = kNone;
 }
 
+void BoxColumns::ask_for_all() const {
+  for (const auto* const column : {&x_min, &y_min, &x_max, &y_max}) scene::ask_for_all(*column);
+  scene::ask_for_all(body);
+}
+
 namespace {
 
 /// A cell's sides, as multiples of the largest box of its level.

@@ -100,7 +100,7 @@ HWY_INLINE void scan_right(const CellLevel& level, const BoxColumns& entries, st
   const auto x_min = hn::Set(d, box.x_min);
   const auto is_later = [&](std::size_t i) {
     const auto other = hn::LoadU(d, entries.x_min.data() + i);
-    const auto place = hn::Iota(di, static_cast<std::uint32_t>(i));
+    const auto place = hn::Add(hn::Set(di, static_cast<std::uint32_t>(i)), hn::Iota(di, 0));
     const auto behind = hn::Gt(place, hn::Set(di, static_cast<std::uint32_t>(entry)));
     return hn::Or(hn::Gt(other, x_min), hn::And(hn::Eq(other, x_min), hn::RebindMask(d, behind)));
   };

@@ -25,6 +25,12 @@ class Cells {
   /// anew.
   bool refile(std::uint32_t body, const Box* before, const Box& box);
 
+  /// Asks for all that a search or `refile` may read, where there are many of them to come.
+  void ask_for_all() const {
+    entries_.ask_for_all();
+    for (const CellLevel& level : levels()) scene::ask_for_all(level.begin());
+  }
+
   /// Removes a body that is filed with this box.
   void remove(std::uint32_t body, const Box& box);
 

@@ -34,6 +34,19 @@ void ask_for(const Vector& vector, std::size_t place) {
   __builtin_prefetch(reinterpret_cast<const void*>(first + place * sizeof(vector[0])));
 }
 
+/// Asks for a whole list: faster than element by element, where most are to be read in an order
+/// that is not theirs.
+template <class Vector>
+void ask_for_all(const Vector& vector) {
+  constexpr std::size_t kLine = 64;
+  constexpr int kToSecondCache = 2;
+  const auto* const bytes = reinterpret_cast<const char*>(vector.data());
+  const std::size_t size = vector.size() * sizeof(vector[0]);
+  for (std::size_t at = 0; at < size; at += kLine) {
+    __builtin_prefetch(bytes + at, 0, kToSecondCache);
+  }
+}
+
 /// Empties a list of what happened to so many bodies; where it once held most of them, and does no
 /// more, its memory goes.
 template <class Vector>

@@ -9,9 +9,10 @@ namespace {
 
 /// How far a box is fattened.
 struct Fatness {
-  float all_round;  ///< on each side, a share of its body's extent
+  float
+      all_round;  ///< on each side, a share of its body's extent, and how far it went in this step
   float ahead_max;  ///< in the direction of its motion, no farther than this share,
-  float ahead;      ///< and a multiple of how far the body went in this step
+  float ahead;      ///< and a multiple of how far it went in this step
 };
 constexpr Fatness kAmongOthers{0.125F, 2, 4};
 /// A box without partners may be fat: it costs nothing there.
@@ -23,17 +24,20 @@ constexpr float kPathMax = 64;
 /// Once one body in so many has left its box, all are filed anew.
 constexpr std::size_t kFileShare = 6;
 
+/// Once one body in so many has left its box, most of the cells and boxes will be read.
+constexpr std::size_t kAskShare = 24;
+
 /// So many more find room in a cell.
 constexpr std::uint32_t kRoom = 1;
 
 Box fattened(const Box& box, const Vector2<float>& motion, float extent, const Fatness& fatness) {
-  const auto ahead = [&](float along) {
-    const float most = fatness.ahead_max * extent;
-    return std::clamp(fatness.ahead * along, -most, most);
-  };
+  const float most = fatness.ahead_max * extent;
+  const auto ahead = [&](float along) { return std::clamp(fatness.ahead * along, -most, most); };
   const float x = ahead(motion.x());
   const float y = ahead(motion.y());
-  Box fat = grown(box, fatness.all_round * extent);
+  // What goes fast would soon have used up its room to the sides, where it does not go.
+  const float went = std::max(std::abs(motion.x()), std::abs(motion.y()));
+  Box fat = grown(box, fatness.all_round * extent + std::min(went, most));
   (x < 0 ? fat.x_min : fat.x_max) += x;
   (y < 0 ? fat.y_min : fat.y_max) += y;
   return fat;
@@ -50,6 +54,10 @@ void Scene::find_candidates() {
   counts_.left_boxes = left_.size();
   if (left_.empty()) return;
   part_from_partners();
+  if (kAskShare * left_.size() > body_count_) {
+    cells_.ask_for_all();
+    ask_for_all(boxes_);
+  }
   refile();
   find_all_partners();
 }
