@@ -21,6 +21,13 @@ void resize(Vector& vector, std::size_t size) {
   vector.resize(size);
 }
 
+/// Adds others to a list, in steps that leave little memory unused.
+template <class Vector, class Others>
+void append(Vector& vector, const Others& others) {
+  make_room(vector, vector.size() + others.size());
+  vector.insert(vector.end(), others.begin(), others.end());
+}
+
 /// The memory that a list takes.
 template <class Vector>
 std::size_t bytes_of(const Vector& list) {

@@ -29,7 +29,7 @@ void Scene::forget_pairs() {
   cells_ = {};
   candidates_ = {};
   const auto clear = [](auto&... lists) { (lists.clear(), ...); };
-  clear(contacts_, kept_, left_, leaver_works_, partner_works_, row_works_, vacant_);
+  clear(contacts_, kept_, left_, mover_works_, leaver_works_, partner_works_, row_works_, vacant_);
   clear(began_, ended_, renumbered_);
   ended_reported_ = renumbered_reported_ = 0;
   counts_ = {};
@@ -42,7 +42,7 @@ void Scene::forget_pairs() {
 void Scene::recall_bodies() {
   movers_.clear();
   unsure_.clear();
-  make_room_for_movers(body_count_);
+  make_room(movers_, body_count_);
   for (std::uint32_t body = 0; body < generations_.size(); ++body) {
     states_[body] = 0;
     if (generations_[body] % 2 == 1) start_path(body);

@@ -9,17 +9,6 @@
 #include "geometry/manifold.hpp"
 
 namespace manifuzz::scene {
-namespace {
-
-/// Moves so many of a list, from a place on, to its end so far, which then is behind them.
-template <class List>
-void close_up(List& list, std::size_t from, std::size_t count, std::size_t& end) {
-  if (from != end) std::copy_n(list.data() + from, count, list.data() + end);
-  end += count;
-}
-
-}  // namespace
-
 Scene::Scene(const Settings& settings) : settings_(settings), shapes_(settings.tie_bias) {
   assert(!find_defect(settings));
 }
@@ -46,13 +35,7 @@ void Scene::make_room_for(std::size_t bodies, bool with_traits) {
   make(placements_, generations_, states_, paths_, leave_at_, boxes_, tight_, left_at_);
   if (with_traits || !traits_.empty()) make_room(traits_, places);
   make_room(free_, 1);
-  make_room_for_movers(bodies);
-}
-
-/// So that so many more can be looked at by the next step.
-void Scene::make_room_for_movers(std::size_t bodies) {
   make_room(movers_, movers_.size() + bodies);
-  make_room(unsure_, unsure_.size() + bodies);
 }
 
 /// A place, for which there is room, of a body that has this shape and no traits yet.
@@ -113,7 +96,7 @@ std::optional<Defect> Scene::set_shape(BodyHandle body, std::uint32_t shape, std
     }
     place = assembly->second.parts[part].handle.index;
   }
-  make_room_for_movers(1);
+  make_room(movers_, movers_.size() + 1);
   placements_[place].shape = shape;
   start_path(place);
   return std::nullopt;
@@ -125,49 +108,55 @@ void Scene::start_path(std::uint32_t body) {
   states_[body] &= static_cast<std::uint8_t>(~kBoxed);
   if (is(body, kMoved)) return;
   states_[body] |= kMoved | kUnsure;
-  make_room_for_movers(1);
+  make_room(movers_, movers_.size() + 1);
   movers_.push_back(body);
-  unsure_.push_back({body, placements_[body].pose.position});
 }
 
 /// Bodies to be looked at that are in the scene no more are not looked at.
 void Scene::forget_removed() {
   const auto is_gone = [&](std::uint32_t body) { return generations_[body] % 2 == 0; };
-  std::erase_if(unsure_, [&](const Mover& mover) { return is_gone(mover.body); });
   std::erase_if(movers_, [&](std::uint32_t body) {
     if (is_gone(body)) states_[body] = 0;
     return is_gone(body);
   });
 }
 
-/// In tasks where no two moves are of one body, as ascending ones are not; each task has room in
-/// the lists for its share.
+/// In tasks where no two moves are of one body, as ascending ones are not.
 void Scene::place(std::span<const Move> moves) {
   forget_removed();
-  const PlacedCounts before{movers_.size(), unsure_.size()};
-  resize(movers_, before.moved + moves.size());
-  resize(unsure_, before.unsure + moves.size());
+  started_ = movers_.size();
   const auto place_of = [](const Move& move) { return move.body.index; };
   const bool may_divide =
-      executor_ != nullptr &&
+      executor_ != nullptr && tasks_for(moves.size()) > 1 &&
       std::ranges::adjacent_find(moves, std::ranges::greater_equal{}, place_of) == moves.end();
-  const std::size_t tasks = may_divide ? tasks_for(moves.size()) : 1;
-  std::array<PlacedCounts, kTasks> counts{};
-  divide(moves.size(), tasks, [&](const Share& share, std::size_t task) {
-    const auto [first, last] = share;
-    counts[task] = place_moves(
-        moves.subspan(first, last - first),
-        {&shapes_.facts(0), placements_.data(), states_.data(), paths_.data(), leave_at_.data(),
-         movers_.data() + before.moved + first, unsure_.data() + before.unsure + first});
+  if (!may_divide) return place(moves, movers_, unsure_);
+  mover_works_.resize(kTasks);
+  divide(moves.size(), kTasks, [&](const Share& share, std::size_t task) {
+    auto& [moved, unsure] = mover_works_[task];
+    place(moves.subspan(share.first, share.last - share.first), moved, unsure);
   });
-  PlacedCounts all = before;
-  for (std::size_t task = 0; task < tasks; ++task) {
-    const std::size_t first = share_of(moves.size(), task, tasks).first;
-    close_up(movers_, before.moved + first, counts[task].moved, all.moved);
-    close_up(unsure_, before.unsure + first, counts[task].unsure, all.unsure);
+  for (auto& [moved, unsure] : mover_works_) {
+    append(movers_, moved);
+    append(unsure_, unsure);
+    clear_for(moved, body_count_);
+    clear_for(unsure, body_count_);
   }
-  movers_.resize(all.moved);
-  unsure_.resize(all.unsure);
+}
+
+/// Both lists grow by what is told of the bodies.
+void Scene::place(std::span<const Move> moves, std::vector<std::uint32_t>& moved,
+                  std::vector<Mover>& unsure) {
+  constexpr std::size_t kSome = 256;
+  std::array<std::uint32_t, kSome> some_moved;
+  std::array<Mover, kSome> some_unsure;
+  for (std::size_t first = 0; first < moves.size(); first += kSome) {
+    const auto [moved_count, unsure_count] =
+        place_moves(moves.subspan(first, std::min(kSome, moves.size() - first)),
+                    {&shapes_.facts(0), placements_.data(), states_.data(), paths_.data(),
+                     leave_at_.data(), some_moved.data(), some_unsure.data()});
+    append(moved, std::span(some_moved).first(moved_count));
+    append(unsure, std::span(some_unsure).first(unsure_count));
+  }
 }
 
 void Scene::drop_all(std::uint32_t body) {
@@ -212,6 +201,7 @@ Memory Scene::memory() const {
     of_assemblies += sizeof(place) + sizeof(assembly) + bytes_of(assembly.parts);
   }
   std::size_t of_leavers = 0;
+  for (const MoverWork& work : mover_works_) of_leavers += work.bytes();
   for (const LeaverWork& work : leaver_works_) of_leavers += work.bytes();
   std::size_t of_works = 0;
   for (const RowWork& work : row_works_) of_works += work.bytes();

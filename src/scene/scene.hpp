@@ -122,7 +122,6 @@ class Scene {
   }
 
   void make_room_for(std::size_t bodies, bool with_traits);
-  void make_room_for_movers(std::size_t bodies);
   std::uint32_t take_place(std::uint32_t shape, const Pose<float>& pose);
   std::size_t contacts_of(std::uint32_t body);
   void leave_place(std::uint32_t body);
@@ -174,14 +173,20 @@ class Scene {
   void start_path(std::uint32_t body);
   void forget_removed();
   void place(std::span<const Move> moves);
+  void place(std::span<const Move> moves, std::vector<std::uint32_t>& moved,
+             std::vector<Mover>& unsure);
   bool few_moved() const;
+  /// One of those that may have left their fattened boxes.
+  Mover unsure(std::size_t i) const {
+    if (i >= started_) return unsure_[i - started_];
+    return {movers_[i], placements_[movers_[i]].pose.position};
+  }
 
   void find_candidates();
   std::size_t leaver_tasks_for(std::size_t things);
   void find_leavers();
-  void find_leavers(const Share& share, LeaverWork& work);
+  void find_leavers(const Share& share, std::vector<Leaver>& left);
   void leave(const Mover& mover, std::vector<Leaver>& left);
-  void draw_movers(std::span<const Mover> movers);
   void draw_all_boxes();
   void draw_tight_boxes(std::span<const std::uint32_t> bodies);
   void part_from_partners();
@@ -262,13 +267,15 @@ class Scene {
   // What only the step under way needs.
   std::vector<Move> part_moves_;
   std::vector<std::uint32_t> movers_;  // bodies that moved
-  std::vector<Mover> unsure_;          // those of them that may have left their fattened boxes
+  std::size_t started_ = 0;            // the first so many of them, which began a new path before
+  std::vector<Mover> unsure_;          // others that may have left their fattened boxes
   bool few_moved_ = false;
   bool all_are_boxed_ = false;
   std::vector<Leaver> left_;
   std::vector<std::uint32_t> bodies_;
   std::vector<std::uint32_t> marks_;    // by body
   const Executor* executor_ = nullptr;  // none where it is empty
+  std::vector<MoverWork> mover_works_;
   std::vector<LeaverWork> leaver_works_;
   std::vector<PartnerWork> partner_works_;
   std::vector<RowWork> row_works_;     // the first so many in use

@@ -77,39 +77,39 @@ std::size_t Scene::leaver_tasks_for(std::size_t things) {
   return tasks;
 }
 
-/// Each task looks at its share of the movers; those that left are told in the movers' order.
+/// Each task looks at its share of the unsure ones; those that left are told in their order.
 void Scene::find_leavers() {
   clear_for(left_, body_count_);
   clear_for(bodies_, body_count_);
-  const std::size_t tasks = leaver_tasks_for(unsure_.size());
-  divide(unsure_.size(), tasks,
-         [&](const Share& share, std::size_t task) { find_leavers(share, leaver_works_[task]); });
-  for (LeaverWork& work : std::span(leaver_works_).first(tasks)) {
-    for (const Leaver& leaver : work.left) {
-      left_at_[leaver.body] = static_cast<std::uint32_t>(left_.size());
-      left_.push_back(leaver);
+  const std::size_t unsure = started_ + unsure_.size();
+  const std::size_t tasks = leaver_tasks_for(unsure);
+  if (tasks == 1) find_leavers({0, unsure}, left_);
+  if (tasks > 1) {
+    divide(unsure, tasks, [&](const Share& share, std::size_t task) {
+      find_leavers(share, leaver_works_[task].left);
+    });
+    for (LeaverWork& work : std::span(leaver_works_).first(tasks)) {
+      append(left_, work.left);
+      clear_for(work.left, body_count_);
     }
-    clear_for(work.left, body_count_);
+  }
+  for (std::size_t i = 0; i < left_.size(); ++i) {
+    left_at_[left_[i].body] = static_cast<std::uint32_t>(i);
   }
 }
 
-void Scene::find_leavers(const Share& share, LeaverWork& work) {
-  const auto unsure = std::span(unsure_).subspan(share.first, share.last - share.first);
-  if (!all_are_boxed_) draw_movers(unsure);
-  for (const Mover& mover : unsure) leave(mover, work.left);
-}
-
-/// Draws the tight boxes of movers, of which what is needed next is asked for.
-void Scene::draw_movers(std::span<const Mover> movers) {
+/// Some at a time: their boxes are drawn, of which what is needed next is asked for.
+void Scene::find_leavers(const Share& share, std::vector<Leaver>& left) {
   std::array<std::uint32_t, 256> bodies;
-  for (std::size_t first = 0; first < movers.size(); first += bodies.size()) {
-    const auto some = movers.subspan(first, std::min(bodies.size(), movers.size() - first));
-    std::ranges::transform(some, bodies.begin(), [&](const Mover& mover) {
-      __builtin_prefetch(&boxes_[mover.body]);
-      __builtin_prefetch(&shapes_.rows(placements_[mover.body].shape));
-      return mover.body;
-    });
-    draw_tight_boxes(std::span(bodies).first(some.size()));
+  for (std::size_t first = share.first; first < share.last; first += bodies.size()) {
+    const std::size_t count = std::min(bodies.size(), share.last - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      bodies[i] = unsure(first + i).body;
+      ask_for(boxes_, bodies[i]);
+      __builtin_prefetch(&shapes_.rows(placements_[bodies[i]].shape));
+    }
+    if (!all_are_boxed_) draw_tight_boxes(std::span(bodies).first(count));
+    for (std::size_t i = 0; i < count; ++i) leave(unsure(first + i), left);
   }
 }
 

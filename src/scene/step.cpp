@@ -52,7 +52,7 @@ void Scene::settle() {
     });
   }
   movers_.clear();
-  unsure_.clear();
+  clear_for(unsure_, body_count_);
   free_.insert(free_.end(), removed_.begin(), removed_.end());
   removed_.clear();
 }

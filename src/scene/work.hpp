@@ -70,6 +70,15 @@ struct RowWork {
   }
 };
 
+/// What comes of the moves of some bodies.
+struct MoverWork {
+  std::vector<std::uint32_t> moved;  ///< bodies that moved
+  std::vector<Mover> unsure;         ///< those that may have left their fattened boxes
+
+  /// The memory it takes.
+  std::size_t bytes() const { return bytes_of(moved) + bytes_of(unsure); }
+};
+
 /// A body that left its fattened box, and that box.
 struct Leaver {
   std::uint32_t body;  ///< its place
