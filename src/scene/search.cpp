@@ -15,8 +15,14 @@ struct Fatness {
   float ahead;      ///< and a multiple of how far it went in this step
 };
 constexpr Fatness kAmongOthers{0.125F, 2, 4};
-/// A box without partners may be fat: it costs nothing there.
+/// A box with few partners may be fatter, and one without may be fat: it costs little there.
+constexpr Fatness kAmongFew{0.25F, 3, 8};
 constexpr Fatness kByItself{0.8F, 4, 12};
+
+const Fatness& fatness_of(std::uint8_t state) {
+  if ((state & kAlone) != 0) return kByItself;
+  return (state & kFewBy) != 0 ? kAmongFew : kAmongOthers;
+}
 
 /// Paths get little longer than this multiple of an extent: sums of two are rounded little then.
 constexpr float kPathMax = 64;
@@ -158,7 +164,7 @@ void Scene::leave(const Mover& mover, std::vector<Leaver>& left) {
   if (!goes_on) {
     left.push_back({body, fat});
     const Vector2<float> motion = placements_[body].pose.position - mover.from;
-    fat = fattened(box, motion, extent, is(body, kAlone) ? kByItself : kAmongOthers);
+    fat = fattened(box, motion, extent, fatness_of(states_[body]));
     states_[body] |= kLeft;
     if (is_long) {
       path = 0;
@@ -213,11 +219,13 @@ void Scene::find_all_partners() {
     for (std::size_t i = share.first; i < share.last; ++i) find_partners(left_[i].body, work);
   });
   for (const Leaver& leaver : left_) {
-    states_[leaver.body] &= static_cast<std::uint8_t>(~kAlone);
+    states_[leaver.body] &= static_cast<std::uint8_t>(~(kAlone | kFewBy));
   }
   for (PartnerWork& work : std::span(partner_works_).first(tasks)) {
     for (const std::uint32_t body : work.alone) states_[body] |= kAlone;
+    for (const std::uint32_t body : work.few_by) states_[body] |= kFewBy;
     clear_for(work.alone, body_count_);
+    clear_for(work.few_by, body_count_);
     add_candidates(work.adding);
   }
 }
@@ -225,7 +233,9 @@ void Scene::find_all_partners() {
 /// Two that left are found by the lower one.
 void Scene::find_partners(std::uint32_t body, PartnerWork& work) const {
   const std::span<const std::uint32_t> found = cells_.near(boxes_[body], work.found);
-  if (found.size() == 1) work.alone.push_back(body);
+  constexpr std::size_t kFew = 2;
+  const std::size_t others = found.size() - 1;
+  if (others <= kFew) (others == 0 ? work.alone : work.few_by).push_back(body);
   const Box before = box_before(body);
   std::vector<kernel::BodyPair>& adding = work.adding;
   const std::size_t first = adding.size();

@@ -13,6 +13,7 @@ enum State : std::uint8_t {
   kAlone = 16,    ///< it had no partners when its box was drawn
   kBoxed = 32,    ///< its tight box is where it is
   kUnsure = 64,   ///< it moved, and may have left its fattened box
+  kFewBy = 128,   ///< it had one partner or two when its box was drawn
 };
 
 }  // namespace manifuzz::scene

@@ -33,7 +33,7 @@ struct Placed {
     Random random = test::motion(seed);
     for (std::uint32_t i = 0; i < kBodies; ++i) {
       placements.push_back({i % 2, test::anywhere(random.bits())});
-      states.push_back(static_cast<std::uint8_t>(random.integer(0, 127)));
+      states.push_back(static_cast<std::uint8_t>(random.integer(0, 255)));
       paths.push_back(static_cast<float>(random.uniform(0, 4)));
       leave_at.push_back(paths.back() + static_cast<float>(random.uniform(-0.1, 1)));
     }
