@@ -153,7 +153,7 @@ std::size_t size_of(float extent) {
   return std::bit_cast<std::uint32_t>(extent) >> kSizeShift;
 }
 
-constexpr std::size_t kSizesALevel = 8;  // down to a quarter of the largest
+constexpr std::size_t kSizesALevel = 12;  // down to an eighth of the largest
 
 /// A box whose cell is full may lie so far to the right of it: searches go as far as one does.
 constexpr int kAsideMax = 2;

@@ -9,7 +9,7 @@
 
 namespace manifuzz::scene {
 
-/// Bodies by their boxes, of any mix of sizes: in levels, each of boxes down to a quarter of its
+/// Bodies by their boxes, of any mix of sizes: in levels, each of boxes down to an eighth of its
 /// largest, filed by counting.
 class Cells {
  public:
