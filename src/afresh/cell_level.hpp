@@ -29,7 +29,7 @@ struct BoxColumns {
     body[entry] = of_body;
   }
   void clear(std::size_t entry);
-  /// Asks for all of them.
+  /// Asks for all of them ahead of their use.
   void ask_for_all() const;
   Box box(std::size_t entry) const {
     return {x_min[entry], y_min[entry], x_max[entry], y_max[entry]};

@@ -41,7 +41,7 @@ template <class D, class Address, class V = hn::Vec<D>>
 HWY_INLINE void load_corners(D d, const Address& address, V (&even)[kCornerScalars],
                              V (&odd)[kCornerScalars]) {
 #if HWY_TARGET <= HWY_AVX3
-  if constexpr (hn::MaxLanes(D()) == 16) {  // 32 bytes at a time: half as many are put together
+  if constexpr (hn::MaxLanes(D()) == 16) {  // 32 bytes of a shape in one load, not in two
     const hn::Half<D> half;
     V lower[kCornerScalars];
     V upper[kCornerScalars];
@@ -208,7 +208,8 @@ HWY_INLINE void fetch(const Shapes<T>& shapes, const PairBatch<T>& batch, BatchR
   // Last: what was written one by one is slow to be read as a vector right after.
   for (int column = 0; column < kBlockPairs; column += lanes) {
     const auto of = [&](int p) { return hn::Load(widest, rows.radii[p].column + column); };
-    hn::Store(hn::Add(of(0), of(1)), widest, rows.of_block[kTotalRadius].column + column);
+    const auto sum = hn::Add(hn::Add(hn::Zero(widest), of(0)), of(1));  // of -0 and -0 it is 0
+    hn::Store(sum, widest, rows.of_block[kTotalRadius].column + column);
   }
 }
 

@@ -42,7 +42,7 @@ class PairStream {
       : shapes_(shapes), bodies_(bodies), tie_bias_(tie_bias) {
     for (unsigned group = 0; group < kPairGroups; ++group) next_[group] = batches_[group].pair;
   }
-  PairStream(const PairStream&) = delete;
+  PairStream(const PairStream&) = delete;  ///< it points into itself
 
   /// `out` becomes the manifold of the pair, as `collide_pairs` gives it, until `finish` returns.
   void push(const BodyPair& pair, Manifold<Scalar>& out) {

@@ -62,6 +62,7 @@ struct CandidateRows {
   std::span<const std::uint64_t> filled;  ///< a bit a body: whether there are candidates in its row
   const Candidate* all;                   ///< by place
 
+  /// A body's row.
   std::span<const Candidate> row(std::uint32_t a) const {
     return {all + rows[a].first, rows[a].count};
   }

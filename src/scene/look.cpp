@@ -65,7 +65,9 @@ void Scene::mark_bodies() {
 
 /// Pairs whose boxes overlap no longer are looked at a last time: `drop_parted` drops them.
 void Scene::look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work) {
-  if (!left_.empty()) work.leaving.make_room_for(candidates_.size_of(first, last));
+  // One at least: what is not pushed is written, too.
+  const std::size_t leaving = left_.empty() ? 0 : candidates_.size_of(first, last);
+  work.leaving.make_room_for(std::max<std::size_t>(leaving, 1));
   if (settings_.recycled_motion > 0) {
     for (std::uint32_t a = first; a < last; ++a) {
       candidates_.prefetch(a + kRowsAhead);
@@ -124,7 +126,7 @@ void Scene::look_at(std::uint32_t a, Candidate& candidate, RowWork& work) {
     ++work.pairs.recycled;
     return;
   }
-  if (candidate.is_apart(paths_[a] + paths_[b])) {
+  if (candidate.is_apart(paths_of(a, b))) {
     ++work.pairs.separated;
     return;
   }

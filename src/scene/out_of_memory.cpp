@@ -38,8 +38,14 @@ void Scene::forget_pairs() {
   std::ranges::fill(states_, std::uint8_t{0});
 }
 
-/// All are looked at as if they had just been added.
+/// All are looked at as if they had just been added. Where memory ran out while moves were placed,
+/// some parts of a body may have been, and others not.
 void Scene::recall_bodies() {
+  for (const auto& [place, assembly] : assemblies_) {
+    for (const Assembly::Part& part : assembly.parts) {
+      placements_[part.handle.index].pose = composed(assembly.pose, part.pose);
+    }
+  }
   movers_.clear();
   unsure_.clear();
   make_room(movers_, body_count_);

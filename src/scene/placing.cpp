@@ -2,6 +2,7 @@
 #define HWY_TARGET_INCLUDE "scene/placing.cpp"
 #include <hwy/foreach_target.h>  // includes this file once more for every other target
 // after foreach_target
+#include <cstddef>
 #include <hwy/highway.h>
 
 #include "afresh/compressed-inl.hpp"
@@ -12,15 +13,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::scene::HWY_NAMESPACE {
 
+static_assert(sizeof(Pose<float>) == 16 && sizeof(Move) == 24 && offsetof(Move, pose) == 8);
+static_assert(offsetof(kernel::Placement<float>, pose) == 4 && sizeof(ShapeFacts) % 4 == 0);
+
 /// A lane a move.
 using MoveLanes = hn::CappedTag<float, 16>;
 using Lengths = hn::Vec<MoveLanes>;
 using BodyLanes = hn::RebindToUnsigned<MoveLanes>;
 
-/// So many bodies ahead, all that is known of one is asked for: most lie in memory as they move.
+/// So many bodies ahead, all that is known of one is asked for: most move in the order in which
+/// they lie in memory.
 constexpr std::size_t kBodiesAhead = 160;
 
-/// Asks for so many things, so far behind the first; there need be none.
+/// Asks for so many things, so far behind the first; the array may have ended before.
 template <class T>
 HWY_INLINE void ask_for_lines(const T* first, std::size_t ahead, std::size_t count) {
   constexpr std::size_t kLine = 64;
@@ -151,7 +156,8 @@ HWY_INLINE bool follow_each_other(const Move* moves) {
   return differences == 0;
 }
 
-/// `strip(moves)` of as many as there are lanes and follow each other, `one(move)` of the others.
+/// `strip(moves)` of as many moves as there are lanes, where their bodies follow each other, and
+/// `one(move)` of each other move.
 template <class Strip, class One>
 HWY_INLINE void for_each_strip(std::span<const Move> moves, const Strip& strip, const One& one) {
   const std::size_t lanes = hn::Lanes(MoveLanes());
@@ -173,8 +179,8 @@ HWY_INLINE bool is_sound(const Move& move, std::span<const std::uint32_t> genera
          !find_defect(move.pose);
 }
 
-/// Whether the moves of a strip are sound for certain: rotations are taken to be unit where they
-/// are as floats round it, which adds four roundoffs at most.
+/// Whether the moves of a strip are sound for certain. Squares of rotations are rounded by less
+/// than four roundoffs, which the tolerance leaves out here.
 HWY_INLINE bool are_plainly_sound(const Move* moves, std::span<const std::uint32_t> generations) {
   const MoveLanes d;
   const BodyLanes di;

@@ -9,7 +9,7 @@
 
 namespace manifuzz::scene {
 
-/// A body that moved, and from where.
+/// A body that may have left its fattened box, and where it was before the move that made it so.
 struct Mover {
   std::uint32_t body;   ///< its place
   Vector2<float> from;  ///< in the world
@@ -33,8 +33,8 @@ struct PlacedCounts {
   std::size_t unsure = 0;  ///< bodies that may have left their fattened boxes
 };
 
-/// Whether all moves are free of defects, and of bodies that are there: these have odd generations,
-/// given by place.
+/// Whether no move has a defect, and each names a body that is there: its generation, given by
+/// place, is odd.
 bool are_sound(std::span<const Move> moves, std::span<const std::uint32_t> generations);
 
 /// Puts bodies, which must be there, where they are now, move by move.

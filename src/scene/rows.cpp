@@ -41,6 +41,8 @@ class Tail {
   std::size_t room_ = queue_.room();
 };
 
+static_assert(sizeof(Candidate) == 8);
+
 /// Pairs of rows, one after another: most rows are shorter than a vector.
 class Run {
  public:
@@ -67,7 +69,7 @@ class Run {
     size_ += pairs.size();
   }
 
-  /// A lane a pair, and hardly a branch that depends on one: those of bodies that left are rare.
+  /// A lane a pair. Hardly a branch depends on what one is: pairs of bodies that left are rare.
   HWY_INLINE void sort(const std::uint32_t* marks, bool any_left, Tail& touching, Tail& apart,
                        Tail& leaving, std::size_t& separated) const {
     const Lanes d;
@@ -79,6 +81,7 @@ class Run {
       hn::LoadInterleaved2(d, pairs_ + 2 * i, b, known);
       const auto in_run = hn::FirstN(d, size_ - i);
       b = hn::IfThenElseZero(in_run, b);
+      known = hn::IfThenElseZero(in_run, known);
       const auto mark_a = hn::Load(d, mark_a_ + i);
       const auto mark_b = hn::GatherIndex(d, marks, hn::BitCast(di, b));
       const auto of_both = hn::Or(mark_a, mark_b);

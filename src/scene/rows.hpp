@@ -13,7 +13,8 @@ namespace manifuzz::scene {
 /// So many rows ahead, the next are asked for: they lie anywhere in memory.
 inline constexpr std::uint32_t kRowsAhead = 16;
 
-/// So many pairs are sorted together, and so far ahead what a pair needs is asked for.
+/// So many pairs are sorted together. So many behind a queue's room are read by who asks for what
+/// pairs need ahead, too.
 inline constexpr std::size_t kPairLanes = 16;
 
 /// Candidates that wait to be collided or dropped; an array each for what is known of them, with

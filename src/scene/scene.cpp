@@ -9,6 +9,7 @@
 #include "geometry/manifold.hpp"
 
 namespace manifuzz::scene {
+
 Scene::Scene(const Settings& settings) : settings_(settings), shapes_(settings.tie_bias) {
   assert(!find_defect(settings));
 }
@@ -143,7 +144,7 @@ void Scene::place(std::span<const Move> moves) {
   }
 }
 
-/// Both lists grow by what is told of the bodies.
+/// Adds the bodies that moved to one list, and to the other those that may have left their boxes.
 void Scene::place(std::span<const Move> moves, std::vector<std::uint32_t>& moved,
                   std::vector<Mover>& unsure) {
   constexpr std::size_t kSome = 256;

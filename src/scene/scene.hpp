@@ -28,7 +28,7 @@ namespace manifuzz::scene {
 
 /// Bodies that come, go and move, and the contacts between them, step after step. What it refuses,
 /// giving a `Defect`, has changed nothing. Where memory runs out, calls throw std::bad_alloc, and
-/// have changed nothing either, but for two: `step` may have placed the moves, `set_filter` may
+/// have changed nothing either, but for two: `step` may have placed some moves, `set_filter` may
 /// have set the filter, and they have forgotten all contacts. The next step tells of those that
 /// there are as begun, and of none before as ended.
 class Scene {
@@ -201,6 +201,11 @@ class Scene {
   void look_at_candidates();
   void prepare_works(std::size_t count);
   void mark_bodies();
+  /// Both paths, added as `sort_rows` does where bodies are marked.
+  float paths_of(std::uint32_t a, std::uint32_t b) const {
+    if (few_moved_ || settings_.recycled_motion > 0) return paths_[a] + paths_[b];
+    return std::bit_cast<float>(marks_[a]) + std::bit_cast<float>(marks_[b]);
+  }
   void look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work);
   void look_at_row(std::uint32_t a, RowWork& work);
   void look_at_partners(std::uint32_t body, RowWork& work);
@@ -253,7 +258,7 @@ class Scene {
   std::vector<std::uint32_t> generations_;
   std::vector<std::uint8_t> states_;    // of State
   std::vector<float> paths_;            // how far its vertices went since its path began, at most
-  std::vector<float> leave_at_;         // it is in its fattened box until its path is as long
+  std::vector<float> leave_at_;         // it is in its fattened box until its path is longer
   std::vector<Box> boxes_;              // fattened
   std::vector<Box> tight_;              // where kBoxed
   std::vector<std::uint32_t> left_at_;  // its place among those that left, if it did
@@ -267,7 +272,7 @@ class Scene {
   // What only the step under way needs.
   std::vector<Move> part_moves_;
   std::vector<std::uint32_t> movers_;  // bodies that moved
-  std::size_t started_ = 0;            // the first so many of them, which began a new path before
+  std::size_t started_ = 0;            // the first so many: they began new paths before the moves
   std::vector<Mover> unsure_;          // others that may have left their fattened boxes
   bool few_moved_ = false;
   bool all_are_boxed_ = false;

@@ -9,10 +9,9 @@ namespace {
 
 /// How far a box is fattened.
 struct Fatness {
-  float
-      all_round;  ///< on each side, a share of its body's extent, and how far it went in this step
+  float all_round;  ///< on each side, a share of its body's extent, and how far it went last
   float ahead_max;  ///< in the direction of its motion, no farther than this share,
-  float ahead;      ///< and a multiple of how far it went in this step
+  float ahead;      ///< and a multiple of how far it went last
 };
 constexpr Fatness kAmongOthers{0.125F, 2, 4};
 /// A box with few partners may be fatter, and one without may be fat: it costs little there.
@@ -21,7 +20,7 @@ constexpr Fatness kByItself{0.8F, 4, 12};
 
 const Fatness& fatness_of(std::uint8_t state) {
   if ((state & kAlone) != 0) return kByItself;
-  return (state & kFewBy) != 0 ? kAmongFew : kAmongOthers;
+  return (state & kFewPartners) != 0 ? kAmongFew : kAmongOthers;
 }
 
 /// Paths get little longer than this multiple of an extent: sums of two are rounded little then.
@@ -83,7 +82,7 @@ std::size_t Scene::leaver_tasks_for(std::size_t things) {
   return tasks;
 }
 
-/// Each task looks at its share of the unsure ones; those that left are told in their order.
+/// Each task looks at its share of the unsure ones; those that left are listed in their order.
 void Scene::find_leavers() {
   clear_for(left_, body_count_);
   clear_for(bodies_, body_count_);
@@ -104,7 +103,8 @@ void Scene::find_leavers() {
   }
 }
 
-/// Some at a time: their boxes are drawn, of which what is needed next is asked for.
+/// Some at a time: what is needed of them is asked for, their boxes are drawn, and each is looked
+/// at.
 void Scene::find_leavers(const Share& share, std::vector<Leaver>& left) {
   std::array<std::uint32_t, 256> bodies;
   for (std::size_t first = share.first; first < share.last; first += bodies.size()) {
@@ -219,13 +219,13 @@ void Scene::find_all_partners() {
     for (std::size_t i = share.first; i < share.last; ++i) find_partners(left_[i].body, work);
   });
   for (const Leaver& leaver : left_) {
-    states_[leaver.body] &= static_cast<std::uint8_t>(~(kAlone | kFewBy));
+    states_[leaver.body] &= static_cast<std::uint8_t>(~(kAlone | kFewPartners));
   }
   for (PartnerWork& work : std::span(partner_works_).first(tasks)) {
     for (const std::uint32_t body : work.alone) states_[body] |= kAlone;
-    for (const std::uint32_t body : work.few_by) states_[body] |= kFewBy;
+    for (const std::uint32_t body : work.with_few) states_[body] |= kFewPartners;
     clear_for(work.alone, body_count_);
-    clear_for(work.few_by, body_count_);
+    clear_for(work.with_few, body_count_);
     add_candidates(work.adding);
   }
 }
@@ -235,7 +235,7 @@ void Scene::find_partners(std::uint32_t body, PartnerWork& work) const {
   const std::span<const std::uint32_t> found = cells_.near(boxes_[body], work.found);
   constexpr std::size_t kFew = 2;
   const std::size_t others = found.size() - 1;
-  if (others <= kFew) (others == 0 ? work.alone : work.few_by).push_back(body);
+  if (others <= kFew) (others == 0 ? work.alone : work.with_few).push_back(body);
   const Box before = box_before(body);
   std::vector<kernel::BodyPair>& adding = work.adding;
   const std::size_t first = adding.size();

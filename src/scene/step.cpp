@@ -41,7 +41,7 @@ void Scene::advance(std::span<const Move> moves) {
 /// What happened to the bodies is over.
 void Scene::settle() {
   const auto settled = [](std::uint8_t& state) {
-    state = static_cast<std::uint8_t>(state & (kFiled | kAlone | kFewBy | kBoxed));
+    state = static_cast<std::uint8_t>(state & (kFiled | kAlone | kFewPartners | kBoxed));
   };
   if (few_moved_) {
     for (const std::uint32_t body : movers_) settled(states_[body]);

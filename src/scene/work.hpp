@@ -99,11 +99,11 @@ struct PartnerWork {
   std::vector<std::uint32_t> found;      ///< by one of the boxes, and room
   std::vector<kernel::BodyPair> adding;  ///< pairs that are to be candidates
   std::vector<std::uint32_t> alone;      ///< bodies that have no partners
-  std::vector<std::uint32_t> few_by;     ///< bodies that have few
+  std::vector<std::uint32_t> with_few;   ///< bodies that have few
 
   /// The memory it takes.
   std::size_t bytes() const {
-    return bytes_of(found) + bytes_of(adding) + bytes_of(alone) + bytes_of(few_by);
+    return bytes_of(found) + bytes_of(adding) + bytes_of(alone) + bytes_of(with_few);
   }
 };
 

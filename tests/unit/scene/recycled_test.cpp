@@ -134,3 +134,21 @@ TEST_CASE("contacts that are kept for recycling stay with their pairs as others 
     check_near(contact.manifold, clipping::collide(kSmall, kSmall, b_in_a));
   }
 }
+
+TEST_CASE("a pair of which no body left its box is looked at where none has left since the start") {
+  scene::Scene scene({.recycled_motion = 0.01F});
+  const auto ball = std::get<std::uint32_t>(
+      scene.add_shape(make_polygon<float>(std::vector<Vector2<float>>{{0, 0}}, 0.5F)));
+  std::vector<BodyHandle> bodies;
+  for (int i = 0; i < 40; ++i) {
+    bodies.push_back(std::get<BodyHandle>(scene.add(ball, at(10 * static_cast<float>(i), 0))));
+  }
+  scene.step({});
+  const std::vector<scene::Move> one{{bodies[0], at(9.5F, 0)}};
+  CHECK(std::get<StepResult>(scene.step(one)).contacts.size() == 1);
+  std::vector<scene::Move> three;
+  for (const int i : {5, 6, 7}) {
+    three.push_back({bodies[static_cast<std::size_t>(i)], at(10 * static_cast<float>(i), 1e-6F)});
+  }
+  CHECK(std::get<StepResult>(scene.step(three)).contacts.size() == 1);
+}

@@ -132,6 +132,46 @@ TEST_CASE("a step of few movers among many, and one that recycles, is the same b
   }
 }
 
+TEST_CASE(
+    "a floor under more bodies than wait in a task has the same contacts and counts by threads") {
+  scene::Threads threads(2);
+  Scene alone;
+  Scene divided;
+  std::vector<BodyHandle> bodies;
+  constexpr int kCount = 3500;
+  constexpr int kFloor = 500;
+  for (Scene* const scene : {&alone, &divided}) {
+    bodies.clear();
+    const auto add_shape = [&](const std::vector<Vector2<float>>& vertices, float radius) {
+      return std::get<std::uint32_t>(scene->add_shape(make_polygon<float>(vertices, radius)));
+    };
+    const auto ball = add_shape({{0, 0}}, 0.4F);
+    const auto floor = add_shape({{-10, -1}, {4000, -1}, {4000, 0}, {-10, 0}}, 0);
+    for (int i = 0; i < kCount; ++i) {
+      const float height = i < kFloor ? 100 : 0.39F + 0.0001F * static_cast<float>(i % 400);
+      const Pose<float> pose{{static_cast<float>(i), height}, {1, 0}};
+      const bool is_floor = i == kFloor;
+      const auto added = scene->add(is_floor ? floor : ball, is_floor ? Pose<float>{} : pose);
+      bodies.push_back(std::get<BodyHandle>(added));
+    }
+    REQUIRE(std::holds_alternative<scene::StepResult>(scene->step({})));
+  }
+  for (int number = 0; number < 12; ++number) {
+    CAPTURE(number);
+    std::vector<scene::Move> moves;
+    for (const BodyHandle body : bodies) {
+      Pose<float> pose = alone.pose(body);
+      pose.position.x() += number % 2 == 0 ? 0.0003F : -0.0002F;
+      moves.push_back({body, pose});
+    }
+    const auto right = std::get<scene::StepResult>(alone.step(moves));
+    const auto result = std::get<scene::StepResult>(divided.step(moves, std::ref(threads)));
+    REQUIRE(same_contacts(result.contacts, right.contacts));
+    CHECK(std::memcmp(&result.counts, &right.counts, sizeof(result.counts)) == 0);
+    CHECK(right.counts.pairs.separated + right.counts.pairs.collided > 2500);
+  }
+}
+
 TEST_CASE("a scene by threads equals its pairs afresh bit for bit, whatever happens to it") {
   CHECK(rc::check("commands between steps",
                   [] { test::check_commands(test::Adapted<Divided>::make); }));
