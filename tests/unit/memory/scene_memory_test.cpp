@@ -259,3 +259,35 @@ TEST_CASE("a question for which there is no memory changes nothing") {
   }
   CHECK(failures > 0);
 }
+
+TEST_CASE("bodies of parts are whole after memory ran out while many moves were placed") {
+  Scene before;
+  const Vector2<float> centre[] = {{0, 0}};
+  const auto ball = std::get<std::uint32_t>(before.add_shape(make_polygon<float>(centre, 0.4F)));
+  const std::vector<scene::BodyPart> parts{
+      {ball, {{0, 0}, {1, 0}}}, {ball, {{0, 1}, {1, 0}}}, {ball, {{1, 0}, {0, 1}}}};
+  std::vector<scene::Move> moves;
+  for (int i = 0; i < 250; ++i) {
+    const float x = 4 * static_cast<float>(i);
+    const auto body = std::get<BodyHandle>(before.add(parts, {{x, 0}, {1, 0}}));
+    moves.push_back({body, {{x + 1, 0}, {0, 1}}});
+  }
+  REQUIRE(std::holds_alternative<scene::StepResult>(before.step({})));
+  std::size_t after = 0;
+  for (;; ++after) {
+    CAPTURE(after);
+    Scene scene = before;
+    if (!test::runs_out(after, [&] { scene.step(moves); })) break;
+    REQUIRE(std::holds_alternative<scene::StepResult>(scene.step({})));
+    std::size_t torn = 0;
+    for (const scene::Move& move : moves) {
+      for (std::uint32_t k = 0; k < parts.size(); ++k) {
+        const Pose<float> part = scene.placement(scene.handle({move.body, k})).pose;
+        const Pose<float> whole = scene::composed(scene.pose(move.body), parts[k].pose);
+        torn += static_cast<std::size_t>(!same_bits(part, whole));
+      }
+    }
+    CHECK(torn == 0);
+  }
+  CHECK(after > 3);
+}
