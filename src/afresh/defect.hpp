@@ -30,9 +30,9 @@ enum class Defect {
 /// The defect of a pose that has one.
 Defect defect_of(const Pose<float>& pose);
 
-/// Whether a position is finite, and not too far out; without a branch.
+/// Whether a position is finite, and not too far out.
 inline bool is_near(const Vector2<float>& position) {
-  return (std::abs(position.x()) <= kLengthMax) & (std::abs(position.y()) <= kLengthMax);
+  return std::abs(position.x()) <= kLengthMax && std::abs(position.y()) <= kLengthMax;
 }
 
 /// The first defect of a pose, or none.

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "afresh/shape_table.hpp"
+#include "kernel/packed.hpp"
 #include "scene/body.hpp"
 #include "scene/state.hpp"
 
