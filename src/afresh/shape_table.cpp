@@ -67,7 +67,12 @@ std::variant<std::uint32_t, Defect> ShapeTable::add(const ConvexPolygon<float>& 
   make_room(facts_, facts_.size() + 1);
   make_room(rows_, rows_.size() + 1);
   const std::uint32_t index = for_pairs_.add(shape);
-  facts_.push_back({reach_up, shape.radius, padded_by});
+  const float rounding = kSeparationError * (reach_up + shape.radius);
+  const auto clearance = [&](float padding) {
+    return shape.radius + rounding + 1.001F * (padding - shape.radius);
+  };
+  facts_.push_back({reach_up, shape.radius, padded_by, clearance(padded_by),
+                    clearance(padding_of_round(reach_up, shape.radius))});
   rows_.push_back(kernel::rows_of(shape));
   return index;
 }

@@ -62,6 +62,12 @@ struct ShapeFacts {
   /// How far a box must reach beyond the core in it, so that bodies whose boxes do not overlap
   /// have no contact by the kernel's rounded arithmetic (certificates.md, "Boxes").
   float padding = 0;
+  /// Its part of what is taken off a separation of two cores before it proves that they stay apart
+  /// until their paths are longer by the rest (certificates.md, "A gap that the kernel found").
+  float clearance = 0;
+  /// Its part of what a separation must exceed for the kernel to find no contact where they are now
+  /// (certificates.md, "A face that lay between them").
+  float clearance_now = 0;
 };
 
 /// The shapes of a scene, laid out for both kernels.

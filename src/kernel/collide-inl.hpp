@@ -79,6 +79,15 @@ HWY_INLINE void clip_to_slab(D d, const LaneFeatures<D>& f, hn::Vec<D> total_rad
   clip_at(f.face.second, f.face_second, {f.normal.y, hn::Neg(f.normal.x)});
 }
 
+/// The features of a pair without points: the face of greatest separation, and of the other
+/// polygon none.
+template <class D>
+HWY_INLINE hn::Vec<DInt<D>> face_between(hn::Mask<D> is_b, hn::Vec<DInt<D>> index) {
+  const DInt<D> di;
+  const auto of_a = feature_bytes(di, kFace, index, 0, hn::Zero(di));
+  return hn::IfThenElse(hn::RebindMask(di, is_b), halves_swapped(of_a), of_a);
+}
+
 /// A strip's manifolds, as a `ManifoldBlock` holds them.
 template <class D>
 struct LaneManifolds {
@@ -206,9 +215,11 @@ HWY_INLINE void collide_placed(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   search_faces(d, s, tie_bias, found);
   const auto separated = hn::Or(hn::Gt(found.of_a, total_radius), hn::Gt(found.of_b, total_radius));
   const auto gap = hn::Sub(hn::Max(found.of_a, found.of_b), total_radius);
+  const auto between = face_between<D>(found.take_b, found.reference.edge.index);
   if (hn::AllTrue(d, separated)) {
     hn::Store(hn::Zero(di), di, out.count.column + s.column);
     hn::Store(hn::Neg(gap), d, out.depth[0].column + s.column);
+    hn::Store(between, di, out.features[0].column + s.column);
     return;
   }
   const LaneFeatures<D> features = choose_features(d, s, found);
@@ -219,6 +230,7 @@ HWY_INLINE void collide_placed(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   LaneManifolds<D> m = keep_behind_face<D>(features, total_radius, edge, kept);
   const auto empty = hn::RebindMask(d, hn::Eq(m.count, hn::Zero(di)));
   m.depth[0] = hn::IfThenElse(empty, hn::Min(hn::Neg(gap), hn::Zero(d)), m.depth[0]);
+  m.features[0] = hn::IfThenElse(hn::RebindMask(di, empty), between, m.features[0]);
   store(d, m, s.column, out);
   const auto among = tie_bias > 0 ? hn::And(touching, empty) : touching;
   const auto needs = misses_deepest(d, s, m, found, total_radius, among);

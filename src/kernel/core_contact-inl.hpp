@@ -230,9 +230,13 @@ HWY_INLINE void collide_cores(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   LaneNearest<D> nearest;
   find_nearest(d, s, found, corner, seen, roundoff, hn::Not(is_deep), nearest);
   const auto gap = hn::Min(hn::Sub(total_radius, nearest.distance), hn::Zero(d));
+  const auto b_leads = hn::Gt(found.of[1], found.of[0]);
+  const auto between = face_between<D>(
+      b_leads, hn::IfThenElse(hn::RebindMask(di, b_leads), found.face[1], found.face[0]));
   if (hn::AllFalse(d, touching)) {
     hn::Store(hn::Zero(di), di, out.count.column + s.column);
     hn::Store(gap, d, out.depth[0].column + s.column);
+    hn::Store(between, di, out.features[0].column + s.column);
     return;
   }
   LaneManifolds<D> m;
@@ -249,6 +253,7 @@ HWY_INLINE void collide_cores(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   m.count = hn::IfThenZeroElse(hn::RebindMask(di, left), m.count);
   const auto empty = hn::RebindMask(d, hn::Eq(m.count, hn::Zero(di)));
   m.depth[0] = hn::IfThenElse(empty, gap, m.depth[0]);
+  m.features[0] = hn::IfThenElse(hn::RebindMask(di, empty), between, m.features[0]);
   store(d, m, s.column, out);
   if (HWY_UNLIKELY(!hn::AllFalse(d, left))) collide_left(d, s, left, tie_bias, out);
 }

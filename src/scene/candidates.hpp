@@ -7,13 +7,53 @@
 #include <vector>
 
 #include "afresh/lists.hpp"
+#include "afresh/shape_table.hpp"
+#include "geometry/manifold.hpp"
 #include "scene/large_pages.hpp"
 
 namespace manifuzz::scene {
 
+/// A face of A's or of B's before which the other body lay when both were last collided, as five
+/// bits of a number.
+class FaceBetween {
+ public:
+  static constexpr std::uint32_t kIndex = 7;   ///< these bits are the face's index,
+  static constexpr std::uint32_t kOfB = 8;     ///< this one is set if it is B's,
+  static constexpr std::uint32_t kKnown = 16;  ///< and this one if there is one
+  static constexpr std::uint32_t kBits = 31;   ///< all of them
+
+  FaceBetween() = default;  ///< none
+  /// As the kernel names it of a pair without points.
+  explicit FaceBetween(const FeaturePair& features)
+      : bits_(bits_if_face(features.a, kKnown) | bits_if_face(features.b, kKnown | kOfB)) {}
+  /// The one that a number names, whatever its other bits are.
+  explicit FaceBetween(std::uint32_t number) : bits_(number & kBits) {}
+
+  bool is_of_b() const { return (bits_ & kOfB) != 0; }
+  std::uint32_t index() const { return bits_ & kIndex; }
+  std::uint32_t bits() const { return bits_; }
+
+ private:
+  static std::uint32_t bits_if_face(const Feature& feature, std::uint32_t bits) {
+    return feature.kind == Feature::Kind::face ? bits | feature.index : 0;
+  }
+
+  std::uint32_t bits_ = 0;
+};
+
+/// What is known of two bodies that are apart until their paths sum up to this length, rounded down
+/// to where the face finds room. 0 proves nothing: no path is as short as the face's bits.
+inline std::uint32_t apart_until(float paths, FaceBetween face) {
+  constexpr std::uint32_t kStep = FaceBetween::kBits + 1;
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(paths);
+  const std::uint32_t lower = bits < 2 * kStep ? 0 : bits - kStep;
+  return (lower & ~FaceBetween::kBits) | face.bits();
+}
+
 /// Two bodies that may touch and whose fattened boxes overlap, in the row of the one of lower
 /// index, A. They touch, or are apart for as long as their paths are together no longer than
-/// proven; one number holds either, since as a length a contact's index is below 0 or none.
+/// proven; one number holds either, since as a length a contact's index is below 0 or none. Such a
+/// length's last bits name a face that lay between them.
 class Candidate {
  public:
   Candidate() = default;
@@ -30,8 +70,9 @@ class Candidate {
     assert((contact & kTouches) == 0);
     known_ = kTouches | contact;
   }
-  /// From here on; 0 proves nothing.
-  void be_apart_until(float paths) { known_ = std::bit_cast<std::uint32_t>(paths); }
+  /// Of bodies that do not touch, as `apart_until` has it.
+  std::uint32_t known() const { return known_; }
+  void know(std::uint32_t known) { known_ = known; }
 
   /// Set in what is known of bodies that touch.
   static constexpr std::uint32_t kTouches = std::uint32_t{1} << 31;
@@ -41,6 +82,9 @@ class Candidate {
  private:
   std::uint32_t known_ = 0;
 };
+
+/// Less than 1 by more than a sum of two paths and a margin is rounded.
+inline constexpr float kPathShare = 1 - 8 * kRoundoff;
 
 /// So many pairs of a row are read together: most rows are no longer. As many may be read past the
 /// end of a row.

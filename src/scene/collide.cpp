@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "kernel/pair_stream.hpp"
+#include "scene/faces.hpp"
 #include "scene/scene.hpp"
 
 // The pairs that wait: boxes again, collide, and what that proves.
@@ -9,10 +10,9 @@
 namespace manifuzz::scene {
 namespace {
 
-/// A number, or 0; by its bits, since a compiler makes a branch of `?:`.
-float float_if(bool is_chosen, float number) {
-  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(number) &
-                              (0 - static_cast<std::uint32_t>(is_chosen)));
+/// One number or another; by their bits, since a compiler makes a branch of `?:`.
+std::uint32_t chosen(bool is_first, std::uint32_t first, std::uint32_t second) {
+  return second ^ ((first ^ second) & (0 - static_cast<std::uint32_t>(is_first)));
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ void Scene::draw_undrawn(RowWork& work) {
 }
 
 /// Leaves out pairs that wait and did not touch, where their tight boxes do not overlap. No branch
-/// depends on whether they do: a pair of which nothing is proven is given the proof 0.
+/// depends on whether they do: what is known of other pairs is written again.
 void Scene::leave_out_apart(RowWork& work) {
   if (!settings_.certificates) return;
   if (!all_are_boxed_) draw_undrawn(work);
@@ -47,10 +47,39 @@ void Scene::leave_out_apart(RowWork& work) {
     const std::uint32_t place = apart.at[i];
     const float room = gap(tight[bodies.a], tight[bodies.b]);
     const bool is_apart = room > 0;
-    write_proof(place, float_if(is_apart, paths_to(bodies, room)), work);
+    const std::uint32_t known = candidates_.at(place).known();
+    const std::uint32_t apart_now = apart_until(paths_to(bodies, room), FaceBetween(known));
+    know(place, chosen(is_apart, apart_now, known), work);
     apart.push(bodies, place, !is_apart);
   }
   work.compared += count;
+  work.pairs.separated += count - apart.count;
+  work.proof_count += count - apart.count;
+}
+
+/// Leaves out pairs between which the face that lay there last still lies, by more than what may
+/// touch across it. Those of which no face is known stay.
+void Scene::leave_out_behind_faces(RowWork& work) {
+  if (!settings_.certificates) return;
+  const FacedBodies bodies{&shapes_.for_pairs().corners(0),
+                           &shapes_.rows(0),
+                           &shapes_.facts(0),
+                           placements_.data(),
+                           paths_.data(),
+                           &candidates_.at(0)};
+  std::array<std::uint32_t, 256> known;
+  Queue& apart = work.apart;
+  const std::size_t count = std::exchange(apart.count, 0);
+  for (std::size_t first = 0; first < count; first += known.size()) {
+    const std::size_t some = std::min(known.size(), count - first);
+    prove_by_faces(bodies, apart, first, some, known.data());
+    for (std::size_t i = 0; i < some; ++i) {
+      const std::uint32_t place = apart.at[first + i];
+      const bool is_apart = known[i] != 0;
+      if (is_apart) know(place, known[i], work);
+      apart.push(apart.bodies(first + i), place, !is_apart);
+    }
+  }
   work.pairs.separated += count - apart.count;
   work.proof_count += count - apart.count;
 }
@@ -102,7 +131,7 @@ void Scene::collide_touching(RowWork& work) {
     work.ended.push_back({contact.a, contact.b});
     work.vacant.push_back(queue.at[i]);
     const std::uint32_t place = candidates_.place_of(*candidates_.find(bodies.a, bodies.b));
-    prove_apart(bodies, -contact.manifold.points[0].depth, place, work);
+    prove_apart(bodies, contact.manifold, place, work);
   }
   queue.count = 0;
 }
@@ -118,6 +147,7 @@ void Scene::keep_touching(const Queue& touching) {
 /// Contacts begin at the end of the step, when it is known whose places are vacant.
 void Scene::collide_apart(RowWork& work) {
   leave_out_apart(work);
+  leave_out_behind_faces(work);
   Queue& apart = work.apart;
   const std::span manifolds(work.manifolds);
   const auto out = [manifolds](std::size_t i) -> Manifold<float>& { return manifolds[i]; };
@@ -127,37 +157,35 @@ void Scene::collide_apart(RowWork& work) {
     if (manifolds[i].count > 0) {
       work.beginning.push_back({bodies, &candidates_.at(apart.at[i]), manifolds[i]});
     } else {
-      prove_apart(bodies, -manifolds[i].points[0].depth, apart.at[i], work);
+      prove_apart(bodies, manifolds[i], apart.at[i], work);
     }
   }
   apart.count = 0;
 }
 
-/// What a gap between two polygons, as the kernel found it, proves (certificates.md); lengths.
-float Scene::margin_of(const kernel::BodyPair& bodies, float gap) const {
+/// Of two bodies that the kernel finds to have no contact: what its gap proves (certificates.md).
+void Scene::prove_apart(const kernel::BodyPair& bodies, const Manifold<float>& none,
+                        std::uint32_t place, RowWork& work) {
+  const auto& [position, depth, features] = none.points[0];
   const ShapeFacts& a = facts(bodies.a);
   const ShapeFacts& b = facts(bodies.b);
-  const float extent =
-      a.extent() + b.extent() +
+  const float separation = a.radius + b.radius - depth;
+  const float distance =
       length_at_most(placements_[bodies.b].pose.position - placements_[bodies.a].pose.position);
-  const float padding = a.padding + b.padding - (a.radius + b.radius);
-  return kRoundDown * gap - kSeparationError * extent - 1.001F * padding;
-}
-
-void Scene::prove_apart(const kernel::BodyPair& bodies, float gap, std::uint32_t place,
-                        RowWork& work) {
-  const float margin = margin_of(bodies, gap);
+  const float clearance = a.clearance + b.clearance;
+  const float margin = kRoundDown * separation - kSeparationError * distance - clearance;
   const bool is_proven = settings_.certificates && margin > 0;
-  write_proof(place, is_proven ? paths_to(bodies, margin) : 0, work);
+  const float until = is_proven ? paths_to(bodies, margin) : 0;
+  know(place, apart_until(until, FaceBetween(features)), work);
   work.proof_count += static_cast<std::size_t>(is_proven);
 }
 
-/// Writes what is proven now, or once all tasks have ended.
-void Scene::write_proof(std::uint32_t place, float until, RowWork& work) {
+/// Writes what is known now, or once all tasks have ended.
+void Scene::know(std::uint32_t place, std::uint32_t known, RowWork& work) {
   if (executor_ == nullptr) {
-    candidates_.at(place).be_apart_until(until);
+    candidates_.at(place).know(known);
   } else {
-    work.proofs.push_back({place, until});
+    work.proofs.push_back({place, known});
   }
 }
 

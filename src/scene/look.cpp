@@ -157,8 +157,8 @@ bool Scene::recycle(std::uint32_t a, const Candidate& candidate) {
 void Scene::take_results() {
   compared_ = 0;
   for_each_row_work(candidates_.size(), [&](std::size_t k) {
-    for (const auto& [place, until] : row_works_[k].proofs) {
-      candidates_.at(place).be_apart_until(until);
+    for (const auto& [place, known] : row_works_[k].proofs) {
+      candidates_.at(place).know(known);
     }
   });
   for (RowWork& work : row_works_) {

@@ -177,7 +177,7 @@ void Scene::drop(std::uint32_t a, Candidate& candidate) {
 
 void Scene::end_contact(Candidate& candidate) {
   const std::uint32_t contact = candidate.contact();
-  candidate.be_apart_until(0);
+  candidate.know(0);
   ended_.push_back({contacts_[contact].a, contacts_[contact].b});
   erase_contact(contact);
 }

@@ -212,6 +212,7 @@ class Scene {
   void look_at_partners(std::uint32_t body, RowWork& work);
   void look_at(std::uint32_t a, Candidate& candidate, RowWork& work);
   void leave_out_apart(RowWork& work);
+  void leave_out_behind_faces(RowWork& work);
   void draw_undrawn(RowWork& work);
   template <class Out>
   void collide(const Queue& queue, Out out, RowWork& work);
@@ -219,15 +220,14 @@ class Scene {
   void collide_touching(RowWork& work);
   void keep_touching(const Queue& touching);
   void collide_apart(RowWork& work);
-  /// Proves two bodies to be apart for as long as the kernel's gap between them allows.
-  void prove_apart(const kernel::BodyPair& bodies, float gap, std::uint32_t place, RowWork& work);
-  void write_proof(std::uint32_t place, float until, RowWork& work);
+  void prove_apart(const kernel::BodyPair& bodies, const Manifold<float>& none, std::uint32_t place,
+                   RowWork& work);
+  void know(std::uint32_t place, std::uint32_t known, RowWork& work);
   void leave_out_overlapping(Queue& leaving) const;
   void take_results();
-  float margin_of(const kernel::BodyPair& bodies, float gap) const;
   /// The sum of both paths up to which two bodies are apart that have this much room, a length.
   float paths_to(const kernel::BodyPair& bodies, float margin) const {
-    return (paths_[bodies.a] + paths_[bodies.b] + margin) * (1 - 8 * kRoundoff);
+    return kPathShare * (paths_[bodies.a] + paths_[bodies.b] + margin);
   }
   void begin_contacts();
   void begin_contacts(std::span<const Beginning> beginning, std::size_t begun,

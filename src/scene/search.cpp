@@ -26,6 +26,9 @@ const Fatness& fatness_of(std::uint8_t state) {
 /// Paths get little longer than this multiple of an extent: sums of two are rounded little then.
 constexpr float kPathMax = 64;
 
+/// Where a path begins: a proof of 0 is shorter, whatever face it names.
+constexpr float kPathMin = std::numeric_limits<float>::min();
+
 /// Once one body in so many has left its box, all are filed anew.
 constexpr std::size_t kFileShare = 6;
 
@@ -167,7 +170,7 @@ void Scene::leave(const Mover& mover, std::vector<Leaver>& left) {
     fat = fattened(box, motion, extent, fatness_of(states_[body]));
     states_[body] |= kLeft;
     if (is_long) {
-      path = 0;
+      path = kPathMin;
       states_[body] |= kUnproven;
     }
   }
@@ -187,7 +190,7 @@ void Scene::part_from_partners() {
       if (few_moved_ && !overlap(a, b)) {
         drop(a, *candidate);
       } else if (is_unproven && !candidate->touches()) {
-        candidate->be_apart_until(0);
+        candidate->know(0);
       }
     }
   }

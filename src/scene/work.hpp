@@ -44,7 +44,7 @@ struct Beginning {
 /// reach past a row's end.
 struct Proof {
   std::uint32_t place;  ///< among the candidates
-  float until;          ///< `Candidate::be_apart_until`
+  std::uint32_t known;  ///< `Candidate::known`
 };
 
 /// What a run of rows needs, and what comes of it; several are gone through at once, or one alone.

@@ -9,6 +9,7 @@
 #include "canary/scene/scene_bugs.hpp"
 #include "scene/candidates.cpp"
 #include "scene/collide.cpp"
+#include "scene/faces.cpp"
 #include "scene/large_pages.cpp"
 #include "scene/look.cpp"
 #include "scene/out_of_memory.cpp"
