@@ -29,6 +29,13 @@ struct BoxColumns {
     body[entry] = of_body;
   }
   void clear(std::size_t entry);
+  /// Asks for one ahead of its use.
+  void ask_for(std::size_t entry) const {
+    for (const auto* const column : {&x_min, &y_min, &x_max, &y_max}) {
+      scene::ask_for(*column, entry);
+    }
+    scene::ask_for(body, entry);
+  }
   /// Asks for all of them ahead of their use.
   void ask_for_all() const;
   Box box(std::size_t entry) const {

@@ -6,7 +6,6 @@
 #include <bit>
 #include <cassert>
 #include <hwy/highway.h>
-#include <limits>
 
 #include "afresh/cells.hpp"
 #include "afresh/compressed-inl.hpp"
@@ -74,20 +73,11 @@ HWY_INLINE void scan(const BoxColumns& entries, std::uint32_t first, std::uint32
   scan(entries, first, last, box, all, found);
 }
 
-HWY_INLINE void scan_near(const CellLevel& level, const BoxColumns& entries, const Box& box,
-                          Found& found) {
-  level.each_run(level.near(box), [&](std::uint32_t first, std::uint32_t last) {
-    scan(entries, first, last, box, found);
-  });
-}
-
 /// How many of `bodies` are found.
-std::size_t near(std::span<const CellLevel> levels, const BoxColumns& entries,
-                 std::uint32_t overflow, std::uint32_t overflow_end, const Box& box,
-                 std::vector<std::uint32_t>& bodies) {
+std::size_t among(std::span<const Cells::Run> runs, const BoxColumns& entries, const Box& box,
+                  std::vector<std::uint32_t>& bodies) {
   Found found(bodies);
-  for (const CellLevel& level : levels) scan_near(level, entries, box, found);
-  scan(entries, overflow, overflow_end, box, found);
+  for (const auto& [first, last] : runs) scan(entries, first, last, box, found);
   return found.count();
 }
 
@@ -121,7 +111,11 @@ void pairs(std::span<const CellLevel> levels, const BoxColumns& entries,
       const Box box = entries.box(entry);
       found.clear();
       scan_right(levels[i], entries, entry, box, found);
-      for (std::size_t finer = 0; finer < i; ++finer) scan_near(levels[finer], entries, box, found);
+      for (const CellLevel& finer : levels.first(i)) {
+        finer.each_run(finer.near(box), [&](std::uint32_t first, std::uint32_t last) {
+          scan(entries, first, last, box, found);
+        });
+      }
       for (std::size_t k = 0; k < found.count(); ++k) {
         pairs.push_back({std::min(body, found[k]), std::max(body, found[k])});
       }
@@ -135,7 +129,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace manifuzz::scene {
 
-HWY_EXPORT(near);
+HWY_EXPORT(among);
 HWY_EXPORT(pairs);
 
 namespace {
@@ -171,9 +165,8 @@ struct Size {
 }  // namespace
 
 void Cells::make_levels(std::span<const std::uint32_t> bodies, std::span<const Box> boxes) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   std::array<Size, kSizes> sizes{};
-  Box span{kInfinity, kInfinity, -kInfinity, -kInfinity};
+  Box span = kNowhere;
   for (const std::uint32_t body : bodies) {
     const Box& box = boxes[body];
     const float extent = extent_of(box);
@@ -234,26 +227,20 @@ void Cells::file(std::span<const std::uint32_t> bodies, std::span<const Box> box
   }
 }
 
-bool Cells::refile(std::uint32_t body, const Box* before, const Box& box) {
-  const Place place = place_of(box);
-  if (before != nullptr) {
-    if (place_of(*before) == place) {
-      entries_.set(entry_of(place, body), body, box);
-      return true;
-    }
-    remove(body, *before);
+bool Cells::refile(const Refiled& refiled, const Place& from, const Place& to) {
+  const auto& [body, before, box] = refiled;
+  if (before != nullptr && from == to) {
+    entries_.set(entry_of(to, body), body, *box);
+    return true;
   }
-  std::uint32_t entry = entry_of(place, kNone);
+  if (before != nullptr) entries_.clear(entry_of(from, body));
+  std::uint32_t entry = entry_of(to, kNone);
   if (entry == overflow_end_) {
     if (entry == entries_.size) return false;
     ++overflow_end_;
   }
-  entries_.set(entry, body, box);
+  entries_.set(entry, body, *box);
   return true;
-}
-
-void Cells::remove(std::uint32_t body, const Box& box) {
-  entries_.clear(entry_of(place_of(box), body));
 }
 
 Cells::Place Cells::place_of(const Box& box) const {
@@ -280,9 +267,21 @@ std::uint32_t Cells::entry_of(const Place& place, std::uint32_t body) {
   return find(overflow_, overflow_end_);
 }
 
-std::span<const std::uint32_t> Cells::near(const Box& box, Bodies& found) const {
-  const std::size_t count =
-      HWY_DYNAMIC_DISPATCH(near)(levels(), entries_, overflow_, overflow_end_, box, found);
+void Cells::find_runs(const Box& box, std::vector<Run>& runs) const {
+  for (const CellLevel& level : levels()) {
+    level.each_run(level.near(box), [&](std::uint32_t first, std::uint32_t last) {
+      if (first == last) return;
+      runs.push_back({first, last});
+      entries_.ask_for(first);
+      entries_.ask_for(last - 1);
+    });
+  }
+  runs.push_back({overflow_, overflow_end_});
+}
+
+std::span<const std::uint32_t> Cells::among(std::span<const Run> runs, const Box& box,
+                                            Bodies& found) const {
+  const std::size_t count = HWY_DYNAMIC_DISPATCH(among)(runs, entries_, box, found);
   return std::span(found).first(count);
 }
 
@@ -293,7 +292,7 @@ void Cells::pairs(std::vector<kernel::BodyPair>& found) {
 std::size_t Cells::bytes() const {
   std::size_t indices = 5 * entries_.body.capacity() + place_.capacity() + found_.capacity();
   for (const CellLevel& level : levels_) indices += level.begin().capacity();
-  return level_.capacity() + 4 * indices;
+  return level_.capacity() + bytes_of(runs_) + 4 * indices;
 }
 
 }  // namespace manifuzz::scene

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,11 +21,17 @@ class Cells {
   /// that is not 0 some find room in no cell.
   void file(std::span<const std::uint32_t> bodies, std::span<const Box> boxes, std::uint32_t room);
 
-  /// Files a body whose box was another one, or that was not there (`before` is null): in its cell
-  /// or, where that is full, in one of the next to the right; where those are full too, or the box
-  /// is larger than all, in none. False where there is no room for that, and all must be filed
-  /// anew.
-  bool refile(std::uint32_t body, const Box* before, const Box& box);
+  /// A body to be filed anew.
+  struct Refiled {
+    std::uint32_t body;
+    const Box* before;  ///< the box with which it is filed; null if it is not
+    const Box* box;     ///< the one that it has now
+  };
+  /// Files `refiled(i)` of each i below the count: in its cell or, where that is full, in one of
+  /// the next to the right; where those are full too, or the box is larger than all, in none. False
+  /// where there is no room for that, and all must be filed anew.
+  template <class Of>
+  bool refile(std::size_t count, const Of& refiled);
 
   /// Asks for all that a search or `refile` may read, where there are many of them to come.
   void ask_for_all() const {
@@ -32,13 +40,26 @@ class Cells {
   }
 
   /// Removes a body that is filed with this box.
-  void remove(std::uint32_t body, const Box& box);
+  void remove(std::uint32_t body, const Box& box) { entries_.clear(entry_of(place_of(box), body)); }
 
   /// The bodies whose boxes overlap this one, in no particular order; until the next call.
-  std::span<const std::uint32_t> near(const Box& box) { return near(box, found_); }
-  /// Finds the bodies whose boxes overlap this one, held by the caller in `found`: several threads
-  /// may ask at once.
-  std::span<const std::uint32_t> near(const Box& box, Bodies& found) const;
+  std::span<const std::uint32_t> near(const Box& box) {
+    runs_.clear();
+    find_runs(box, runs_);
+    return among(runs_, box, found_);
+  }
+
+  /// Entries that lie one after another, from the first to before the last.
+  struct Run {
+    std::uint32_t first, last;
+  };
+  /// Adds the runs in which there may be boxes that overlap this one, and asks for them ahead of
+  /// `among`.
+  void find_runs(const Box& box, std::vector<Run>& runs) const;
+  /// Finds the bodies whose boxes overlap this one, among its runs; held by the caller in `found`:
+  /// several threads may ask at once.
+  std::span<const std::uint32_t> among(std::span<const Run> runs, const Box& box,
+                                       Bodies& found) const;
 
   /// Puts all pairs of bodies whose boxes overlap into `found`, each once, a < b; where they have
   /// just been filed without room.
@@ -54,6 +75,14 @@ class Cells {
     std::uint32_t place;
     friend bool operator==(const Place&, const Place&) = default;
   };
+
+  /// So many bodies are looked for together: what is needed of them is asked for first.
+  static constexpr std::size_t kTogether = 16;
+
+  bool refile(const Refiled& refiled, const Place& from, const Place& to);
+  void ask_for_entries(const Place& place) const {
+    if (place.level < used_) entries_.ask_for(levels_[place.level].begin()[place.place]);
+  }
 
   void make_levels(std::span<const std::uint32_t> bodies, std::span<const Box> boxes);
   std::size_t level_of(const Box& box) const;
@@ -75,7 +104,30 @@ class Cells {
   std::vector<std::uint8_t> level_;
   std::vector<std::uint32_t> place_;
 
-  std::vector<std::uint32_t> found_;  // by one of the boxes, and room
+  std::vector<Run> runs_;             // of one of the boxes
+  std::vector<std::uint32_t> found_;  // by it, and room
 };
+
+template <class Of>
+bool Cells::refile(std::size_t count, const Of& refiled) {
+  std::array<Place, kTogether> from;
+  std::array<Place, kTogether> to;
+  for (std::size_t first = 0; first < count; first += kTogether) {
+    const std::size_t some = std::min(kTogether, count - first);
+    for (std::size_t i = 0; i < some; ++i) {
+      const Refiled& body = refiled(first + i);
+      to[i] = place_of(*body.box);
+      from[i] = body.before == nullptr ? to[i] : place_of(*body.before);
+    }
+    for (std::size_t i = 0; i < some; ++i) {
+      ask_for_entries(from[i]);
+      ask_for_entries(to[i]);
+    }
+    for (std::size_t i = 0; i < some; ++i) {
+      if (!refile(refiled(first + i), from[i], to[i])) return false;
+    }
+  }
+  return true;
+}
 
 }  // namespace manifuzz::scene

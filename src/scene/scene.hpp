@@ -117,10 +117,6 @@ class Scene {
   bool overlap(std::uint32_t a, std::uint32_t b) const {
     return scene::overlap(boxes_[a], boxes_[b]);
   }
-  /// Where a body's fattened box was before this step.
-  const Box& box_before(std::uint32_t body) const {
-    return is(body, kLeft) ? left_[left_at_[body]].before : boxes_[body];
-  }
 
   void make_room_for(std::size_t bodies, bool with_traits);
   std::uint32_t take_place(std::uint32_t shape, const Pose<float>& pose);
@@ -193,8 +189,9 @@ class Scene {
   void part_from_partners();
   void refile();
   void find_all_partners();
-  void find_partners(std::uint32_t body, PartnerWork& work) const;
-  void leave_out_forbidden(std::size_t first, std::vector<kernel::BodyPair>& adding) const;
+  void find_partners(std::span<const Leaver> some, PartnerWork& work) const;
+  void add_partners(const Leaver& leaver, std::span<const std::uint32_t> found,
+                    PartnerWork& work) const;
   void add_candidates(std::vector<kernel::BodyPair>& adding);
   void drop(std::uint32_t a, Candidate& candidate);
   void drop_all(std::uint32_t body);

@@ -38,6 +38,9 @@ constexpr std::size_t kAskShare = 24;
 /// So many more find room in a cell.
 constexpr std::uint32_t kRoom = 1;
 
+/// So many bodies search for their partners together.
+constexpr std::size_t kSearches = 16;
+
 Box fattened(const Box& box, const Vector2<float>& motion, float extent, const Fatness& fatness) {
   const float most = fatness.ahead_max * extent;
   const auto ahead = [&](float along) { return std::clamp(fatness.ahead * along, -most, most); };
@@ -197,13 +200,12 @@ void Scene::part_from_partners() {
 }
 
 void Scene::refile() {
-  bool is_filed = kFileShare * left_.size() < body_count_;
-  for (const Leaver& leaver : left_) {
-    if (!is_filed) break;
-    const bool was_filed = is(leaver.body, kFiled);
-    is_filed =
-        cells_.refile(leaver.body, was_filed ? &leaver.before : nullptr, boxes_[leaver.body]);
-  }
+  const auto refiled = [&](std::size_t i) -> Cells::Refiled {
+    const auto& [body, before] = left_[i];
+    return {body, is(body, kFiled) ? &before : nullptr, &boxes_[body]};
+  };
+  const bool is_filed =
+      kFileShare * left_.size() < body_count_ && cells_.refile(left_.size(), refiled);
   for (const Leaver& leaver : left_) states_[leaver.body] |= kFiled;
   if (is_filed) return;
   bodies_.clear();
@@ -219,7 +221,9 @@ void Scene::find_all_partners() {
   if (partner_works_.size() < tasks) partner_works_.resize(tasks);
   divide(left_.size(), tasks, [&](const Share& share, std::size_t task) {
     PartnerWork& work = partner_works_[task];
-    for (std::size_t i = share.first; i < share.last; ++i) find_partners(left_[i].body, work);
+    for (std::size_t i = share.first; i < share.last; i += kSearches) {
+      find_partners(std::span(left_).subspan(i, std::min(kSearches, share.last - i)), work);
+    }
   });
   for (const Leaver& leaver : left_) {
     states_[leaver.body] &= static_cast<std::uint8_t>(~(kAlone | kFewPartners));
@@ -233,33 +237,49 @@ void Scene::find_all_partners() {
   }
 }
 
+/// Where theirs may lie is found out of all first, and asked for.
+void Scene::find_partners(std::span<const Leaver> some, PartnerWork& work) const {
+  std::array<std::size_t, kSearches> ends;
+  work.runs.clear();
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    cells_.find_runs(boxes_[some[i].body], work.runs);
+    ends[i] = work.runs.size();
+  }
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    const auto runs = std::span<const Cells::Run>(work.runs).subspan(first, ends[i] - first);
+    add_partners(some[i], cells_.among(runs, boxes_[some[i].body], work.found), work);
+    first = ends[i];
+  }
+}
+
 /// Two that left are found by the lower one.
-void Scene::find_partners(std::uint32_t body, PartnerWork& work) const {
-  const std::span<const std::uint32_t> found = cells_.near(boxes_[body], work.found);
+void Scene::add_partners(const Leaver& leaver, std::span<const std::uint32_t> found,
+                         PartnerWork& work) const {
+  const auto& [body, before] = leaver;
   constexpr std::size_t kFew = 2;
   const std::size_t others = found.size() - 1;
   if (others <= kFew) (others == 0 ? work.alone : work.with_few).push_back(body);
-  const Box before = box_before(body);
   std::vector<kernel::BodyPair>& adding = work.adding;
   const std::size_t first = adding.size();
   std::size_t count = first;
   resize(adding, count + found.size());
-  for (const std::uint32_t other : found) {
-    const bool finds = other != body && !(is(other, kLeft) && other < body);
-    adding[count] = {std::min(body, other), std::max(body, other)};
-    count += static_cast<std::size_t>(finds & !scene::overlap(before, box_before(other)));
+  for (const std::uint32_t other : found) {  // no branch depends on which are new
+    adding[count] = {body, other};
+    const bool is_new = !scene::overlap(before, boxes_[other]);
+    count += static_cast<std::size_t>(is_new) | static_cast<std::size_t>(is(other, kLeft));
   }
-  adding.resize(count);
-  if (!traits_.empty()) leave_out_forbidden(first, adding);
-}
-
-/// Leaves out pairs that may not touch, from the first one on.
-void Scene::leave_out_forbidden(std::size_t first, std::vector<kernel::BodyPair>& adding) const {
-  const auto is_forbidden = [&](const kernel::BodyPair& pair) {
-    return !may_touch(pair.a, pair.b);
+  const auto is_old = [&](std::uint32_t other) {  // of few: where those were before that left
+    if (!is(other, kLeft)) return false;
+    return other <= body || scene::overlap(before, left_[left_at_[other]].before);
   };
-  const auto from = adding.begin() + static_cast<std::ptrdiff_t>(first);
-  adding.erase(std::remove_if(from, adding.end(), is_forbidden), adding.end());
+  std::size_t kept = first;
+  for (std::size_t i = first; i < count; ++i) {
+    const std::uint32_t other = adding[i].b;
+    if (is_old(other) || !may_touch(body, other)) continue;
+    adding[kept++] = {std::min(body, other), std::max(body, other)};
+  }
+  adding.resize(kept);
 }
 
 void Scene::add_candidates(std::vector<kernel::BodyPair>& adding) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "afresh/cells.hpp"
 #include "afresh/shape_table.hpp"
 #include "scene/body.hpp"
 #include "scene/placing.hpp"
@@ -96,6 +97,7 @@ struct LeaverWork {
 
 /// What the search for partners of some bodies that left their boxes needs, and what comes of it.
 struct PartnerWork {
+  std::vector<Cells::Run> runs;          ///< where some boxes' partners may lie
   std::vector<std::uint32_t> found;      ///< by one of the boxes, and room
   std::vector<kernel::BodyPair> adding;  ///< pairs that are to be candidates
   std::vector<std::uint32_t> alone;      ///< bodies that have no partners
@@ -103,7 +105,8 @@ struct PartnerWork {
 
   /// The memory it takes.
   std::size_t bytes() const {
-    return bytes_of(found) + bytes_of(adding) + bytes_of(alone) + bytes_of(with_few);
+    return bytes_of(runs) + bytes_of(found) + bytes_of(adding) + bytes_of(alone) +
+           bytes_of(with_few);
   }
 };
 
