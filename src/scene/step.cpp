@@ -68,14 +68,15 @@ void Scene::drop_parted() {
   }
 }
 
-/// In the first places of those that ended in this step, then behind the last of all.
+/// In places of those that ended in this step, then behind the last of all.
 void Scene::begin_contacts() {
-  std::ranges::sort(vacant_);
   std::array<std::size_t, kTasks + 1> begun{};  // before those of a work
   for (std::size_t k = 0; k < row_works_.size(); ++k) {
     begun[k + 1] = begun[k] + row_works_[k].beginning.size();
   }
   const std::size_t count = begun[row_works_.size()];
+  // In the first places, where some stay vacant: the last contact of all has then not begun.
+  if (vacant_.size() > count) std::ranges::sort(vacant_);
   const std::size_t behind_last = contacts_.size() - vacant_.size();
   resize(contacts_, std::max(contacts_.size(), behind_last + count));
   if (settings_.recycled_motion > 0) resize(kept_, contacts_.size());
@@ -84,7 +85,7 @@ void Scene::begin_contacts() {
     begin_contacts(row_works_[k].beginning, begun[k], behind_last);
   });
   for (RowWork& work : row_works_) clear_for(work.beginning, body_count_);
-  // From the end: the last contact of all has then neither ended nor begun.
+  // From the end: the last contact of all has then not ended.
   for (std::size_t i = vacant_.size(); i-- > count;) erase_contact(vacant_[i]);
   clear_for(vacant_, body_count_);
 }
@@ -92,11 +93,15 @@ void Scene::begin_contacts() {
 /// Begins those behind the first so many that begin.
 void Scene::begin_contacts(std::span<const Beginning> beginning, std::size_t begun,
                            std::size_t behind_last) {
+  const auto place_of = [&](std::size_t k) {
+    return k < vacant_.size() ? vacant_[k] : static_cast<std::uint32_t>(behind_last + k);
+  };
   for (std::size_t i = 0; i < beginning.size(); ++i, ++begun) {
-    __builtin_prefetch(beginning[ahead_of(i, kContactsAhead, beginning.size())].candidate);
+    const std::size_t ahead = ahead_of(i, kContactsAhead, beginning.size());
+    __builtin_prefetch(beginning[ahead].candidate);
+    ask_for(contacts_, place_of(begun + ahead - i));
     const auto& [bodies, candidate, manifold] = beginning[i];
-    const std::uint32_t contact =
-        begun < vacant_.size() ? vacant_[begun] : static_cast<std::uint32_t>(behind_last + begun);
+    const std::uint32_t contact = place_of(begun);
     candidate->touch(contact);
     began_[begun] = contact;
     contacts_[contact] = {handle(bodies.a), handle(bodies.b), manifold};
