@@ -16,6 +16,8 @@ namespace manifuzz::scene {
 class Cells {
  public:
   using Bodies = std::vector<std::uint32_t>;  ///< by their indices
+  /// So many bodies are best filed, or looked for, together: what they need is asked for first.
+  static constexpr std::size_t kTogether = 16;
 
   /// Files these bodies anew; `boxes` is by body. Each cell has room for so many more, and where
   /// that is not 0 some find room in no cell.
@@ -75,9 +77,6 @@ class Cells {
     std::uint32_t place;
     friend bool operator==(const Place&, const Place&) = default;
   };
-
-  /// So many bodies are looked for together: what is needed of them is asked for first.
-  static constexpr std::size_t kTogether = 16;
 
   bool refile(const Refiled& refiled, const Place& from, const Place& to);
   void ask_for_entries(const Place& place) const {

@@ -19,8 +19,8 @@ void collide_packed(const PackedPairs<double>& pairs, double tie_bias,
 
 /// `out[i]` becomes the manifold of `pairs[i]`, in the frame of its A. Where there are no points,
 /// the first one's depth is minus the gap, by which the greatest separation exceeds the total
-/// radius (0 if it does not), its features name the face of that separation, with vertex 0 of the
-/// other polygon (two vertices where no face is known), and the rest is unspecified. `out` is as
+/// radius (0 if it does not), its features name the face that would clip, with vertex 0 of the
+/// other shape (two vertices where no face is known), and the rest is unspecified. `out` is as
 /// long as `pairs`. Shapes and poses, which are in the world, are fetched by index, unchecked;
 /// pairs go through a `PairStream` (pair_stream.hpp). `tie_bias` is a length >= 0.
 void collide_pairs(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,

@@ -19,6 +19,7 @@ struct LanePlace {
   Lanes2<D> apart;           ///< from the core to the centre
   Lanes2<D> outward;         ///< out of the core, unit
   hn::Vec<DInt<D>> feature;  ///< its half of a `FeaturePair`'s bytes
+  hn::Vec<DInt<D>> face;     ///< that half, of the face of greatest separation
   hn::Vec<D> distance;       ///< no more than how far the core is from the centre, but for rounding
   hn::Mask<D> has_edge;      ///< `clipping::edge_at` gives one
   hn::Mask<D> is_far;        ///< too far, which is known before the root
@@ -85,7 +86,8 @@ HWY_INLINE void find_place(D d, const Strip<D>& s, int core, const Lanes2<D>& ce
   place.outward = {face.normal.x, face.normal.y};
   place.apart = scaled<D>(place.distance, face.normal);
   place.on_core = subtract(centre, place.apart);
-  place.feature = hn::Or(hn::Set(di, 1), hn::ShiftLeft<8>(face.index));
+  place.face = hn::Or(hn::Set(di, 1), hn::ShiftLeft<8>(face.index));
+  place.feature = place.face;
   place.has_edge = hn::Eq(centre.x, centre.x);
   place.is_far = hn::Gt(place.distance, total_radius);
   place.is_rare = hn::Not(place.has_edge);
@@ -125,7 +127,8 @@ HWY_INLINE void collide_circle_and_core(D d, const Strip<D>& s, int core,
             out.position[0][1].column + s.column);
   hn::Store(hn::IfThenElse(touches, hn::Sub(total_radius, separation), gap), d,
             out.depth[0].column + s.column);
-  hn::Store(core_is_a ? place.feature : hn::ShiftLeft<16>(place.feature), di,
+  const auto feature = hn::IfThenElse(hn::RebindMask(di, touches), place.feature, place.face);
+  hn::Store(core_is_a ? feature : hn::ShiftLeft<16>(feature), di,
             out.features[0].column + s.column);
   if (HWY_UNLIKELY(!hn::AllFalse(d, place.is_rare))) {
     collide_left(d, s, place.is_rare, T{0}, out);

@@ -79,8 +79,7 @@ HWY_INLINE void clip_to_slab(D d, const LaneFeatures<D>& f, hn::Vec<D> total_rad
   clip_at(f.face.second, f.face_second, {f.normal.y, hn::Neg(f.normal.x)});
 }
 
-/// The features of a pair without points: the face of greatest separation, and of the other
-/// polygon none.
+/// The features of a pair without points: the reference face, and vertex 0 of the other polygon.
 template <class D>
 HWY_INLINE hn::Vec<DInt<D>> face_between(hn::Mask<D> is_b, hn::Vec<DInt<D>> index) {
   const DInt<D> di;

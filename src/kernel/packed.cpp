@@ -114,8 +114,12 @@ template <class Scalar>
 Manifold<Scalar> manifold(const ManifoldBlock<Scalar>& block, int column) {
   Manifold<Scalar> result;
   result.count = static_cast<int>(block.count.column[column]);
+  const auto features = [&](int i) {
+    return std::bit_cast<FeaturePair>(static_cast<std::uint32_t>(block.features[i].column[column]));
+  };
   if (result.count == 0) {
     result.points[0].depth = block.depth[0].column[column];
+    result.points[0].features = features(0);
     return result;
   }
   result.reference = block.reference.column[column] == 0 ? Side::a : Side::b;
@@ -124,8 +128,7 @@ Manifold<Scalar> manifold(const ManifoldBlock<Scalar>& block, int column) {
     ContactPoint<Scalar>& point = result.points[i];
     point.position = {block.position[i][0].column[column], block.position[i][1].column[column]};
     point.depth = block.depth[i].column[column];
-    const auto features = static_cast<std::uint32_t>(block.features[i].column[column]);
-    point.features = std::bit_cast<FeaturePair>(features);
+    point.features = features(i);
   }
   return result;
 }

@@ -150,7 +150,7 @@ struct ManifoldBlock {
 
 /// The manifold in one column of a block, 0 <= column < kBlockPairs. Without points, the first
 /// one's depth is minus the gap between the polygons, or 0, and the rest of the column is
-/// unspecified.
+/// unspecified, but for its features where a batch wrote it (batch.hpp).
 template <class Scalar>
 Manifold<Scalar> manifold(const ManifoldBlock<Scalar>& block, int column);
 

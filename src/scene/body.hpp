@@ -45,7 +45,7 @@ struct EndedContact {
 /// What was done with the candidate pairs of a step: counts that add up to `candidates`.
 struct PairCounts {
   std::size_t at_rest = 0;     ///< neither body moved: not looked at
-  std::size_t separated = 0;   ///< a separating face was proven to separate still
+  std::size_t separated = 0;   ///< proven to be apart
   std::size_t recycled = 0;    ///< touching ones, carried along: 0 in strict mode
   std::size_t collided = 0;    ///< by the kernel
   std::size_t candidates = 0;  ///< pairs that there were when they were looked at
@@ -58,7 +58,7 @@ struct StepCounts {
   std::size_t left_boxes = 0;     ///< of them, those that left their fattened box
   std::size_t pairs_added = 0;    ///< candidates that were none before
   std::size_t pairs_dropped = 0;  ///< candidates that are none any more
-  std::size_t proofs = 0;         ///< made of pairs that are apart
+  std::size_t proofs = 0;         ///< made of pairs that are apart, for longer than this step
 };
 
 /// Valid until the scene is next changed.

@@ -60,7 +60,7 @@ void Scene::leave_out_apart(RowWork& work) {
 /// Leaves out pairs between which the face that lay there last still lies, by more than what may
 /// touch across it. Those of which no face is known stay.
 void Scene::leave_out_behind_faces(RowWork& work) {
-  if (!settings_.certificates) return;
+  if (!settings_.certificates || work.apart.count == 0) return;
   const FacedBodies bodies{&shapes_.for_pairs().corners(0),
                            &shapes_.rows(0),
                            &shapes_.facts(0),
@@ -77,11 +77,11 @@ void Scene::leave_out_behind_faces(RowWork& work) {
       const std::uint32_t place = apart.at[first + i];
       const bool is_apart = known[i] != 0;
       if (is_apart) know(place, known[i], work);
+      work.proof_count += static_cast<std::size_t>(known[i] > FaceBetween::kBits);
       apart.push(apart.bodies(first + i), place, !is_apart);
     }
   }
   work.pairs.separated += count - apart.count;
-  work.proof_count += count - apart.count;
 }
 
 /// Each pair's manifold goes where `out` says of its place in the queue.

@@ -7,11 +7,10 @@
 
 #include "kernel/lanes-inl.hpp"
 #include "scene/faces.hpp"
+#include "scene/lengths-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::scene::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
 
 /// A lane a pair.
 using Pairs = hn::CappedTag<float, kPairLanes>;
@@ -67,14 +66,6 @@ HWY_INLINE float least_along(const kernel::ShapeRows& shape, float x, float y) {
   return hn::GetLane(hn::MinOfLanes(d, least));
 }
 
-HWY_INLINE Numbers sum_of_products(Numbers a, Numbers b, Numbers c, Numbers e) {
-  return hn::Add(hn::Mul(a, b), hn::Mul(c, e));
-}
-
-HWY_INLINE Numbers difference_of_products(Numbers a, Numbers b, Numbers c, Numbers e) {
-  return hn::Sub(hn::Mul(a, b), hn::Mul(c, e));
-}
-
 /// How far F's cores lie in front of the faces of the views from `first` on, and at least how far
 /// the origins are from each other; lengths.
 struct Separations {
@@ -84,39 +75,39 @@ struct Separations {
 
 /// min_j (R_F^T R_N n) . v_j - n . f - (R_N n) . (p_N - p_F), f being the face's first vertex.
 HWY_INLINE Separations separations(const Views& views, std::size_t first) {
+  using Vectors = kernel::HWY_NAMESPACE::Lanes2<Pairs>;
+  using kernel::HWY_NAMESPACE::dot;
+  using kernel::HWY_NAMESPACE::turned;
   const Pairs d;
-  const auto load = [&](const float* const* from, Numbers(&rows)[4]) {
+  const auto load = [&](const float* const* from, Vectors(&two)[2]) {
+    Numbers rows[4];
     kernel::HWY_NAMESPACE::load_rows(
         d, [&](std::size_t lane) { return from[first + lane]; }, rows);
+    two[0] = {rows[0], rows[1]};
+    two[1] = {rows[2], rows[3]};
   };
-  Numbers near[4];
-  Numbers far[4];
-  Numbers face[4];
+  Vectors near[2];  // position and rotation
+  Vectors far[2];
+  Vectors face[2];  // first vertex and normal
   load(views.pose[0], near);
   load(views.pose[1], far);
   load(views.face, face);
-  const auto& normal_x = face[2];
-  const auto& normal_y = face[3];
-  const auto cosine = sum_of_products(near[2], far[2], near[3], far[3]);
-  const auto sine = difference_of_products(near[3], far[2], near[2], far[3]);
-  HWY_ALIGN float x[kPairLanes];  // of the normal in F's frame
+  const Vectors& normal = face[1];
+  const Vectors turn = {dot(far[1], near[1]),
+                        hn::Sub(hn::Mul(far[1].x, near[1].y), hn::Mul(far[1].y, near[1].x))};
+  const Vectors in_far = turned<Pairs>(turn, normal);
+  HWY_ALIGN float x[kPairLanes];
   HWY_ALIGN float y[kPairLanes];
-  hn::Store(difference_of_products(cosine, normal_x, sine, normal_y), d, x);
-  hn::Store(sum_of_products(sine, normal_x, cosine, normal_y), d, y);
   HWY_ALIGN float least[kPairLanes];
+  hn::Store(in_far.x, d, x);
+  hn::Store(in_far.y, d, y);
   for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
     least[lane] = least_along(*views.far[first + lane], x[lane], y[lane]);
   }
-  const auto apart_x = hn::Sub(near[0], far[0]);
-  const auto apart_y = hn::Sub(near[1], far[1]);
-  const auto of_face = sum_of_products(normal_x, face[0], normal_y, face[1]);
-  const auto in_world_x = difference_of_products(near[2], normal_x, near[3], normal_y);
-  const auto in_world_y = sum_of_products(near[3], normal_x, near[2], normal_y);
-  const auto of_poses = sum_of_products(in_world_x, apart_x, in_world_y, apart_y);
-  const auto greater = hn::Max(hn::Abs(apart_x), hn::Abs(apart_y));
-  const auto lesser = hn::Min(hn::Abs(apart_x), hn::Abs(apart_y));
-  return {hn::Sub(hn::Load(d, least), hn::Add(of_face, of_poses)),
-          hn::Add(greater, hn::Mul(hn::Set(d, kLesserSide), lesser))};
+  const Vectors apart = kernel::HWY_NAMESPACE::subtract<Pairs>(near[0], far[0]);
+  const auto of_poses = dot<Pairs>(turned<Pairs>(near[1], normal), apart);
+  const auto of_face = dot<Pairs>(normal, face[0]);
+  return {hn::Sub(hn::Load(d, least), hn::Add(of_face, of_poses)), length_at_most(d, apart)};
 }
 
 /// What the views from `first` on prove, as `prove_by_faces` says it.
@@ -128,6 +119,7 @@ HWY_INLINE void prove(const Views& views, std::size_t first, std::uint32_t* know
                                hn::Mul(hn::Set(d, kError), found.distance));
   const auto margin = hn::Sub(certain, hn::Load(d, views.clearance + first));
   const auto paths = hn::Add(hn::Load(d, views.paths + first), margin);
+  // As `apart_until` has it; paths are normal floats, and so is a longer one.
   const auto until = hn::BitCast(di, hn::Mul(hn::Set(d, kPathShare), paths));
   const auto lower = hn::AndNot(hn::Set(di, FaceBetween::kBits),
                                 hn::Sub(until, hn::Set(di, FaceBetween::kBits + 1)));

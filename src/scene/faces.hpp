@@ -16,8 +16,8 @@ struct FacedBodies {
   const kernel::ShapeRows* rows;               ///< by shape
   const ShapeFacts* facts;                     ///< by shape
   const kernel::Placement<float>* placements;  ///< by body
-  const float* paths;                          ///< by body; lengths
-  const Candidate* candidates;                 ///< by place
+  const float* paths;           ///< by body; lengths, none less than the least normal float
+  const Candidate* candidates;  ///< by place
 };
 
 /// Looks at the faces that lay between so many pairs of a queue, from the first on: `known[i]`

@@ -8,6 +8,7 @@
 #include "afresh/compressed-inl.hpp"
 #include "afresh/defect.hpp"
 #include "kernel/lanes-inl.hpp"
+#include "scene/lengths-inl.hpp"
 #include "scene/placing.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -71,12 +72,11 @@ HWY_INLINE void load_four(const T* first, std::size_t stride, Lengths (&rows)[4]
 /// `displacement` of afresh/shape_table.hpp.
 HWY_INLINE Lengths displacements(const Lengths (&from)[4], const Lengths (&to)[4], Lengths reach) {
   const MoveLanes d;
-  const auto length_at_most = [&](int row) {
-    const auto x = hn::Abs(hn::Sub(to[row], from[row]));
-    const auto y = hn::Abs(hn::Sub(to[row + 1], from[row + 1]));
-    return hn::Add(hn::Max(x, y), hn::Mul(hn::Set(d, kLesserSide), hn::Min(x, y)));
+  const auto length_from = [&](int row) {
+    return length_at_most<MoveLanes>(
+        d, {hn::Sub(to[row], from[row]), hn::Sub(to[row + 1], from[row + 1])});
   };
-  const auto sum = hn::Add(length_at_most(0), hn::Mul(reach, length_at_most(2)));
+  const auto sum = hn::Add(length_from(0), hn::Mul(reach, length_from(2)));
   return hn::Mul(hn::Set(d, kRoundUp), sum);
 }
 

@@ -26,7 +26,8 @@ const Fatness& fatness_of(std::uint8_t state) {
 /// Paths get little longer than this multiple of an extent: sums of two are rounded little then.
 constexpr float kPathMax = 64;
 
-/// Where a path begins: a proof of 0 is shorter, whatever face it names.
+/// Where a path begins. What is known of a pair of which nothing is proven is less as a length,
+/// whatever face it names, and a longer path has bits enough for one.
 constexpr float kPathMin = std::numeric_limits<float>::min();
 
 /// Once one body in so many has left its box, all are filed anew.
@@ -37,9 +38,6 @@ constexpr std::size_t kAskShare = 24;
 
 /// So many more find room in a cell.
 constexpr std::uint32_t kRoom = 1;
-
-/// So many bodies search for their partners together.
-constexpr std::size_t kSearches = 16;
 
 Box fattened(const Box& box, const Vector2<float>& motion, float extent, const Fatness& fatness) {
   const float most = fatness.ahead_max * extent;
@@ -221,8 +219,8 @@ void Scene::find_all_partners() {
   if (partner_works_.size() < tasks) partner_works_.resize(tasks);
   divide(left_.size(), tasks, [&](const Share& share, std::size_t task) {
     PartnerWork& work = partner_works_[task];
-    for (std::size_t i = share.first; i < share.last; i += kSearches) {
-      find_partners(std::span(left_).subspan(i, std::min(kSearches, share.last - i)), work);
+    for (std::size_t i = share.first; i < share.last; i += Cells::kTogether) {
+      find_partners(std::span(left_).subspan(i, std::min(Cells::kTogether, share.last - i)), work);
     }
   });
   for (const Leaver& leaver : left_) {
@@ -239,7 +237,7 @@ void Scene::find_all_partners() {
 
 /// Where theirs may lie is found out of all first, and asked for.
 void Scene::find_partners(std::span<const Leaver> some, PartnerWork& work) const {
-  std::array<std::size_t, kSearches> ends;
+  std::array<std::size_t, Cells::kTogether> ends;
   work.runs.clear();
   for (std::size_t i = 0; i < some.size(); ++i) {
     cells_.find_runs(boxes_[some[i].body], work.runs);
@@ -256,7 +254,8 @@ void Scene::find_partners(std::span<const Leaver> some, PartnerWork& work) const
 /// Two that left are found by the lower one.
 void Scene::add_partners(const Leaver& leaver, std::span<const std::uint32_t> found,
                          PartnerWork& work) const {
-  const auto& [body, before] = leaver;
+  const std::uint32_t body = leaver.body;
+  const Box& before = leaver.before;
   constexpr std::size_t kFew = 2;
   const std::size_t others = found.size() - 1;
   if (others <= kFew) (others == 0 ? work.alone : work.with_few).push_back(body);

@@ -28,8 +28,8 @@ class Threads {
   Threads& operator=(const Threads&) = delete;
 
   /// Runs `task(0)` to `task(count - 1)`, and returns when all have ended. It waits for no thread
-  /// that has not begun one. Each begins with a share of its own, which is the same in each call:
-  /// what a task has read is in that thread's cache.
+  /// that has not begun one. Each begins with a share of its own, which is the same in calls of as
+  /// many tasks: what a task has read is in that thread's cache.
   void operator()(std::size_t count, const std::function<void(std::size_t)>& task) {
     task_ = &task;
     running_ = count;
@@ -57,7 +57,7 @@ class Threads {
   /// is not over.
   void run_tasks(std::size_t own) {
     for (std::size_t i = 0; i < shares_.size(); ++i) {
-      Share& share = shares_[(own + i) % shares_.size()];
+      OwnTasks& share = shares_[(own + i) % shares_.size()];
       std::size_t left = share.left;
       while (left > 0) {
         if (!share.left.compare_exchange_weak(left, left - 1)) continue;
@@ -88,12 +88,12 @@ class Threads {
   static constexpr int kYields = 500;  // some tenths of a millisecond
 
   /// Tasks one after another, in a cache line.
-  struct alignas(64) Share {
+  struct alignas(64) OwnTasks {
     std::atomic<std::size_t> left = 0;  ///< that nobody has taken: the last ones
     std::size_t end = 0;                ///< behind the last one
   };
 
-  std::vector<Share> shares_;  // one a thread, that of the caller first
+  std::vector<OwnTasks> shares_;  // one a thread, that of the caller first
   std::vector<std::thread> threads_;
   std::atomic<std::uint32_t> calls_ = 0;
   std::atomic<bool> is_over_ = false;
