@@ -20,7 +20,7 @@ std::size_t Candidates::size_of(std::uint32_t first, std::uint32_t last) const {
   return size;
 }
 
-void Candidates::add(std::uint32_t a, std::uint32_t b) {
+void Candidates::add(std::uint32_t a, const Candidate& candidate) {
   if (a >= rows_.size()) {
     resize(rows_, a + 1);
     resize(filled_, a / kRowBits + 1);
@@ -38,7 +38,7 @@ void Candidates::add(std::uint32_t a, std::uint32_t b) {
     std::copy_n(all_.begin() + row.first, row.count, all_.begin() + first);
     row = {first, row.count, room};
   }
-  all_[row.first + row.count++] = Candidate(b);
+  all_[row.first + row.count++] = candidate;
   filled_[a / kRowBits] |= row_bit(a);
   ++count_;
   longest_row_ = std::max(longest_row_, row.count);

@@ -148,6 +148,8 @@ class Candidates {
 
   /// A candidate by its place, which it keeps until a pair is added or dropped.
   Candidate& at(std::uint32_t place) { return all_[place]; }
+  /// All of them, by place.
+  Candidate* all() { return all_.data(); }
   std::uint32_t place_of(const Candidate& candidate) const {
     return static_cast<std::uint32_t>(&candidate - all_.data());
   }
@@ -160,8 +162,8 @@ class Candidates {
     return nullptr;
   }
 
-  /// Adds two bodies, a < b, that are none.
-  void add(std::uint32_t a, std::uint32_t b);
+  /// Adds a pair of this body with one of higher index that are none.
+  void add(std::uint32_t a, const Candidate& candidate);
 
   /// Takes one out of A's row; the last of that row takes its place.
   void drop(std::uint32_t a, Candidate& candidate) {

@@ -18,9 +18,9 @@ std::uint32_t chosen(bool is_first, std::uint32_t first, std::uint32_t second) {
 }  // namespace
 
 /// Tight boxes that the pairs apart ask for and that are not drawn.
-void Scene::draw_undrawn(RowWork& work) {
-  const Queue& apart = work.apart;
-  std::vector<std::uint32_t>& undrawn = work.undrawn;
+void Scene::draw_undrawn(PairWork& work) {
+  const Queue& apart = work.scratch->apart;
+  std::vector<std::uint32_t>& undrawn = work.scratch->undrawn;
   resize(undrawn, std::min(2 * apart.count, states_.size()) + 1);
   std::size_t count = 0;
   for (std::size_t i = 0; i < apart.count; ++i) {
@@ -35,10 +35,10 @@ void Scene::draw_undrawn(RowWork& work) {
 
 /// Leaves out pairs that wait and did not touch, where their tight boxes do not overlap. No branch
 /// depends on whether they do: what is known of other pairs is written again.
-void Scene::leave_out_apart(RowWork& work) {
+void Scene::leave_out_apart(PairWork& work) {
   if (!settings_.certificates) return;
   if (!all_are_boxed_) draw_undrawn(work);
-  Queue& apart = work.apart;
+  Queue& apart = work.scratch->apart;
   const std::size_t count = std::exchange(apart.count, 0);
   const Box* const tight = tight_.data();
   for (std::size_t i = 0; i < count; ++i) {
@@ -47,9 +47,9 @@ void Scene::leave_out_apart(RowWork& work) {
     const std::uint32_t place = apart.at[i];
     const float room = gap(tight[bodies.a], tight[bodies.b]);
     const bool is_apart = room > 0;
-    const std::uint32_t known = candidates_.at(place).known();
+    const std::uint32_t known = work.candidates[place].known();
     const std::uint32_t apart_now = apart_until(paths_to(bodies, room), FaceBetween(known));
-    know(place, chosen(is_apart, apart_now, known), work);
+    work.know(place, chosen(is_apart, apart_now, known));
     apart.push(bodies, place, !is_apart);
   }
   work.compared += count;
@@ -59,16 +59,16 @@ void Scene::leave_out_apart(RowWork& work) {
 
 /// Leaves out pairs between which the face that lay there last still lies, by more than what may
 /// touch across it. Those of which no face is known stay.
-void Scene::leave_out_behind_faces(RowWork& work) {
-  if (!settings_.certificates || work.apart.count == 0) return;
+void Scene::leave_out_behind_faces(PairWork& work) {
+  if (!settings_.certificates || work.scratch->apart.count == 0) return;
   const FacedBodies bodies{&shapes_.for_pairs().corners(0),
                            &shapes_.rows(0),
                            &shapes_.facts(0),
                            placements_.data(),
                            paths_.data(),
-                           &candidates_.at(0)};
+                           work.candidates};
   std::array<std::uint32_t, 256> known;
-  Queue& apart = work.apart;
+  Queue& apart = work.scratch->apart;
   const std::size_t count = std::exchange(apart.count, 0);
   for (std::size_t first = 0; first < count; first += known.size()) {
     const std::size_t some = std::min(known.size(), count - first);
@@ -76,7 +76,7 @@ void Scene::leave_out_behind_faces(RowWork& work) {
     for (std::size_t i = 0; i < some; ++i) {
       const std::uint32_t place = apart.at[first + i];
       const bool is_apart = known[i] != 0;
-      if (is_apart) know(place, known[i], work);
+      if (is_apart) work.know(place, known[i]);
       work.proof_count += static_cast<std::size_t>(known[i] > FaceBetween::kBits);
       apart.push(apart.bodies(first + i), place, !is_apart);
     }
@@ -86,7 +86,7 @@ void Scene::leave_out_behind_faces(RowWork& work) {
 
 /// Each pair's manifold goes where `out` says of its place in the queue.
 template <class Out>
-void Scene::collide(const Queue& queue, Out out, RowWork& work) {
+void Scene::collide(const Queue& queue, Out out, PairWork& work) {
   if (queue.count == 0) return;
   kernel::PairStream<float> stream(shapes_.for_pairs(), placements_, settings_.tie_bias);
   const std::span a(queue.a);  // known not to change
@@ -101,15 +101,15 @@ void Scene::collide(const Queue& queue, Out out, RowWork& work) {
   work.pairs.collided += queue.count;
 }
 
-void Scene::collide_waiting(RowWork& work) {
+void Scene::collide_waiting(PairWork& work) {
   collide_touching(work);
   collide_apart(work);
 }
 
 /// Manifolds of pairs that touched go straight to their contacts. The places of those that end are
 /// vacant until contacts begin.
-void Scene::collide_touching(RowWork& work) {
-  Queue& queue = work.touching;
+void Scene::collide_touching(PairWork& work) {
+  Queue& queue = work.scratch->touching;
   const auto out = [contacts = std::span(contacts_),
                     at = std::span(queue.at)](std::size_t i) -> Manifold<float>& {
     ask_for(contacts, at[i + kPairLanes]);
@@ -145,17 +145,17 @@ void Scene::keep_touching(const Queue& touching) {
 }
 
 /// Contacts begin at the end of the step, when it is known whose places are vacant.
-void Scene::collide_apart(RowWork& work) {
+void Scene::collide_apart(PairWork& work) {
   leave_out_apart(work);
   leave_out_behind_faces(work);
-  Queue& apart = work.apart;
-  const std::span manifolds(work.manifolds);
+  Queue& apart = work.scratch->apart;
+  const std::span manifolds(work.scratch->manifolds);
   const auto out = [manifolds](std::size_t i) -> Manifold<float>& { return manifolds[i]; };
   collide(apart, out, work);
   for (std::size_t i = 0; i < apart.count; ++i) {
     const kernel::BodyPair bodies = apart.bodies(i);
     if (manifolds[i].count > 0) {
-      work.beginning.push_back({bodies, &candidates_.at(apart.at[i]), manifolds[i]});
+      work.beginning.push_back({bodies, &work.candidates[apart.at[i]], manifolds[i]});
     } else {
       prove_apart(bodies, manifolds[i], apart.at[i], work);
     }
@@ -165,7 +165,7 @@ void Scene::collide_apart(RowWork& work) {
 
 /// Of two bodies that the kernel finds to have no contact: what its gap proves (certificates.md).
 void Scene::prove_apart(const kernel::BodyPair& bodies, const Manifold<float>& none,
-                        std::uint32_t place, RowWork& work) {
+                        std::uint32_t place, PairWork& work) {
   const auto& [position, depth, features] = none.points[0];
   const ShapeFacts& a = facts(bodies.a);
   const ShapeFacts& b = facts(bodies.b);
@@ -176,17 +176,8 @@ void Scene::prove_apart(const kernel::BodyPair& bodies, const Manifold<float>& n
   const float margin = kRoundDown * separation - kSeparationError * distance - clearance;
   const bool is_proven = settings_.certificates && margin > 0;
   const float until = is_proven ? paths_to(bodies, margin) : 0;
-  know(place, apart_until(until, FaceBetween(features)), work);
+  work.know(place, apart_until(until, FaceBetween(features)));
   work.proof_count += static_cast<std::size_t>(is_proven);
-}
-
-/// Writes what is known now, or once all tasks have ended.
-void Scene::know(std::uint32_t place, std::uint32_t known, RowWork& work) {
-  if (executor_ == nullptr) {
-    candidates_.at(place).know(known);
-  } else {
-    work.proofs.push_back({place, known});
-  }
 }
 
 }  // namespace manifuzz::scene

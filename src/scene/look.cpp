@@ -9,72 +9,95 @@
 namespace manifuzz::scene {
 namespace {
 
-/// Pairs that are collided together: enough for the kernel to sort, few enough for the cache; and
-/// where tasks have queues each, few enough for all of them.
+/// Pairs that are collided together: enough for the kernel to sort, few enough for the cache.
 constexpr std::size_t kQueueMax = 4096;
-constexpr std::size_t kQueueMaxOfTask = 2048;
 
 }  // namespace
 
 /// In tasks, where there is an executor, each of which goes through its share of the rows. Contacts
-/// to be recycled, and the few pairs of few bodies, are looked at here.
+/// to be recycled, and the few pairs of few bodies, are looked at here. New pairs come first, while
+/// what they need is in the caches; where there are tasks they come last, since one files those
+/// that left while others go through rows.
 void Scene::look_at_candidates() {
   counts_.pairs.candidates = candidates_.size();
   const bool is_strict = settings_.recycled_motion == 0;
-  const bool is_divided = executor_ != nullptr && !few_moved_ && is_strict;
-  if (!is_divided) executor_ = nullptr;
-  prepare_works(is_divided ? kTasks : 1);
-  const std::uint32_t rows = candidates_.rows();
-  RowWork& all = row_works_.front();
-  if (few_moved_) {
-    for (const std::uint32_t body : movers_) {
-      for (Candidate& candidate : candidates_.row(body)) look_at(body, candidate, all);
-      look_at_partners(body, all);
-    }
-    collide_waiting(all);
-  } else if (!is_divided) {
-    if (is_strict) mark_bodies();
-    look_at_rows(0, rows, all);
-  } else {
-    mark_bodies();
-    divide(rows, kTasks, [&](const Share& share, std::size_t task) {
-      look_at_rows(static_cast<std::uint32_t>(share.first), static_cast<std::uint32_t>(share.last),
-                   row_works_[task]);
-    });
+  if (few_moved_ || !is_strict) division_.forget_executor();
+  const std::size_t works = 2 * division_.row_tasks();
+  if (pair_works_.size() < works) pair_works_.resize(works);
+  if (!division_.has_executor()) {
+    refile();
+    find_all_partners();
   }
+  if (few_moved_) {
+    look_at_movers();
+  } else {
+    if (is_strict) mark_bodies();
+    look_at_all_rows();
+  }
+  if (division_.has_executor()) find_all_partners();
   take_results();
 }
 
-void Scene::prepare_works(std::size_t count) {
-  if (row_works_.size() < count) row_works_.resize(count);
-  const std::size_t room = std::min(count == 1 ? kQueueMax : kQueueMaxOfTask, candidates_.size());
-  for (RowWork& work : std::span(row_works_).first(count)) {
-    for (Queue* const queue : {&work.touching, &work.apart}) queue->make_room_for(room);
-    if (work.manifolds.size() < room) resize(work.manifolds, room);
-  }
+/// All rows of the bodies that moved, and their pairs in the rows of others.
+void Scene::look_at_movers() {
+  division_.divide_with_scratch(1, 1, [&](const Share&, std::size_t, Scratch& scratch) {
+    PairWork& work = begun_work(0, scratch, candidates_.all(), candidates_.size());
+    for (const std::uint32_t body : movers_) {
+      for (Candidate& candidate : candidates_.row(body)) look_at(body, candidate, work);
+      look_at_partners(body, work);
+    }
+    collide_waiting(work);
+  });
+}
+
+void Scene::look_at_all_rows() {
+  const std::size_t tasks = division_.row_tasks();
+  const auto look = [&](const Share& share, std::size_t task, Scratch& scratch) {
+    if (tasks > 1 && task == 0) refile();
+    PairWork& work = begun_work(task, scratch, candidates_.all(), candidates_.size());
+    work.are_read = tasks > 1;
+    look_at_rows(static_cast<std::uint32_t>(share.first), static_cast<std::uint32_t>(share.last),
+                 work);
+  };
+  division_.divide_with_scratch(candidates_.rows(), tasks, look);
+}
+
+/// One in whose scratch pairs may wait that have their places among so many candidates.
+PairWork& Scene::begun_work(std::size_t work, Scratch& scratch, Candidate* candidates,
+                            std::size_t count) {
+  PairWork& begun = pair_works_[work];
+  begun.scratch = &scratch;
+  begun.candidates = candidates;
+  begun.are_read = false;
+  const std::size_t room = std::min(kQueueMax, count);
+  for (Queue* const queue : {&scratch.touching, &scratch.apart}) queue->make_room_for(room);
+  if (scratch.manifolds.size() < room) resize(scratch.manifolds, room);
+  return begun;
 }
 
 void Scene::mark_bodies() {
   resize(marks_, states_.size());
-  divide(marks_.size(), tasks_for(marks_.size()), [&](const Share& share, std::size_t) {
-    for (std::size_t body = share.first; body < share.last; ++body) {
-      marks_[body] = mark_of(paths_[body], states_[body]);
-    }
-  });
+  division_.divide(marks_.size(), division_.tasks_for(marks_.size()),
+                   [&](const Share& share, std::size_t) {
+                     for (std::size_t body = share.first; body < share.last; ++body) {
+                       marks_[body] = mark_of(paths_[body], states_[body]);
+                     }
+                   });
 }
 
 /// Pairs whose boxes overlap no longer are looked at a last time: `drop_parted` drops them.
-void Scene::look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work) {
+void Scene::look_at_rows(std::uint32_t first, std::uint32_t last, PairWork& work) {
   // One at least: what is not pushed is written, too.
   const std::size_t leaving = left_.empty() ? 0 : candidates_.size_of(first, last);
-  work.leaving.make_room_for(std::max<std::size_t>(leaving, 1));
+  work.scratch->leaving.make_room_for(std::max<std::size_t>(leaving, 1));
   if (settings_.recycled_motion > 0) {
     for (std::uint32_t a = first; a < last; ++a) {
       candidates_.prefetch(a + kRowsAhead);
       look_at_row(a, work);
     }
   } else {
-    SortedPairs sorted{work.touching, work.apart, work.leaving, !left_.empty()};
+    Scratch& scratch = *work.scratch;
+    SortedPairs sorted{scratch.touching, scratch.apart, scratch.leaving, !left_.empty()};
     for (std::uint32_t a = first; a < last;) {
       const std::uint32_t next = sort_rows(candidates_.all_rows(), marks_.data(), a, last, sorted);
       if (next == a) look_at_row(a, work);  // longer than the queues
@@ -84,30 +107,33 @@ void Scene::look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work)
     work.pairs.separated += sorted.separated;
   }
   collide_waiting(work);
-  leave_out_overlapping(work.leaving);
+  note_parted(work);
 }
 
 /// Looks at a row's pairs one by one.
-void Scene::look_at_row(std::uint32_t a, RowWork& work) {
+void Scene::look_at_row(std::uint32_t a, PairWork& work) {
   for (Candidate& candidate : candidates_.row(a)) {
     look_at(a, candidate, work);
     const bool has_left = is(a, kLeft) || is(candidate.b, kLeft);
-    work.leaving.push({a, candidate.b}, candidates_.place_of(candidate), has_left);
+    work.scratch->leaving.push({a, candidate.b}, candidates_.place_of(candidate), has_left);
   }
 }
 
-/// What is left are pairs whose boxes overlap no longer.
-void Scene::leave_out_overlapping(Queue& leaving) const {
+/// Of the pairs of which a body left its box, those whose boxes overlap no longer.
+void Scene::note_parted(PairWork& work) const {
+  Queue& leaving = work.scratch->leaving;
   const std::size_t count = std::exchange(leaving.count, 0);
   for (std::size_t i = 0; i < count; ++i) {
     ask_for(boxes_, leaving.b[i + kPairLanes]);
     const kernel::BodyPair bodies = leaving.bodies(i);
     leaving.push(bodies, leaving.at[i], !overlap(bodies.a, bodies.b));
   }
+  const std::size_t parted = std::exchange(leaving.count, 0);
+  for (std::size_t i = 0; i < parted; ++i) work.parted.push_back({leaving.a[i], leaving.at[i]});
 }
 
 /// A body's pairs in other rows that are not looked at with these rows.
-void Scene::look_at_partners(std::uint32_t body, RowWork& work) {
+void Scene::look_at_partners(std::uint32_t body, PairWork& work) {
   for (const std::uint32_t other : cells_.near(boxes_[body])) {
     if (other > body || is(other, kMoved)) continue;
     Candidate* const candidate = candidates_.find(other, body);
@@ -116,7 +142,7 @@ void Scene::look_at_partners(std::uint32_t body, RowWork& work) {
   }
 }
 
-void Scene::look_at(std::uint32_t a, Candidate& candidate, RowWork& work) {
+void Scene::look_at(std::uint32_t a, Candidate& candidate, PairWork& work) {
   const std::uint32_t b = candidate.b;
   const int states = states_[a] | states_[b];
   if ((states & kMoved) == 0) return;
@@ -130,12 +156,12 @@ void Scene::look_at(std::uint32_t a, Candidate& candidate, RowWork& work) {
     ++work.pairs.separated;
     return;
   }
-  if (work.touching.count == work.touching.room()) collide_touching(work);
-  if (work.apart.count == work.apart.room()) collide_apart(work);
+  if (work.scratch->touching.count == work.scratch->touching.room()) collide_touching(work);
+  if (work.scratch->apart.count == work.scratch->apart.room()) collide_apart(work);
   if (touches) {
-    work.touching.push({a, b}, candidate.contact());
+    work.scratch->touching.push({a, b}, candidate.contact());
   } else {
-    work.apart.push({a, b}, candidates_.place_of(candidate));
+    work.scratch->apart.push({a, b}, candidates_.place_of(candidate));
   }
 }
 
@@ -153,15 +179,15 @@ bool Scene::recycle(std::uint32_t a, const Candidate& candidate) {
   return true;
 }
 
-/// What came of the rows, in their order; the last proof of a pair holds.
+/// What came of the candidates, in their order; the last proof of a pair holds.
 void Scene::take_results() {
   compared_ = 0;
-  for_each_row_work(candidates_.size(), [&](std::size_t k) {
-    for (const auto& [place, known] : row_works_[k].proofs) {
+  for_each_pair_work(candidates_.size(), [&](std::size_t k) {
+    for (const auto& [place, known] : pair_works_[k].proofs) {
       candidates_.at(place).know(known);
     }
   });
-  for (RowWork& work : row_works_) {
+  for (PairWork& work : pair_works_) {
     ended_.insert(ended_.end(), work.ended.begin(), work.ended.end());
     vacant_.insert(vacant_.end(), work.vacant.begin(), work.vacant.end());
     clear_for(work.proofs, candidates_.size());

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <atomic>
-#include <new>
 
 #include "scene/scene.hpp"
 
@@ -8,28 +6,15 @@
 
 namespace manifuzz::scene {
 
-/// An executor's tasks must not throw: that memory ran out in one is told when all have ended.
-void Scene::run_by_executor(std::size_t tasks, const std::function<void(std::size_t)>& task) const {
-  std::atomic<bool> is_out_of_memory = false;
-  (*executor_)(tasks, [&](std::size_t i) {
-    try {
-      task(i);
-    } catch (const std::bad_alloc&) {
-      is_out_of_memory = true;
-    }
-  });
-  if (is_out_of_memory) throw std::bad_alloc();
-}
-
 /// Whatever was under way, what is left is right: bodies that stand somewhere, of whose pairs
 /// nothing is known. Needs no memory.
 void Scene::forget_pairs() {
-  executor_ = nullptr;
+  division_.forget();
   has_forgotten_ = true;
   cells_ = {};
   candidates_ = {};
   const auto clear = [](auto&... lists) { (lists.clear(), ...); };
-  clear(contacts_, kept_, left_, mover_works_, leaver_works_, partner_works_, row_works_, vacant_);
+  clear(contacts_, kept_, left_, mover_works_, left_works_, partner_works_, pair_works_, vacant_);
   clear(began_, ended_, renumbered_);
   ended_reported_ = renumbered_reported_ = 0;
   counts_ = {};

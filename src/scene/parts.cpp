@@ -74,7 +74,7 @@ void Scene::refilter(std::uint32_t body) {
     const bool is_allowed = may_touch(a, b);
     if (candidate != nullptr && !is_allowed) drop(a, *candidate);
     if (candidate != nullptr || !is_allowed) continue;
-    candidates_.add(a, b);
+    candidates_.add(a, Candidate(b));
     ++counts_.pairs_added;
   }
   start_path(body);
@@ -124,8 +124,9 @@ BodyHandle Scene::handle(const PartName& name) const {
 /// The first of all, whatever task finds it.
 std::optional<RefusedMove> Scene::find_refused(std::span<const Move> moves) const {
   std::array<std::optional<RefusedMove>, kTasks> refused;
-  divide(moves.size(), tasks_for(moves.size()),
-         [&](const Share& share, std::size_t task) { refused[task] = find_refused(moves, share); });
+  division_.divide(
+      moves.size(), division_.tasks_for(moves.size()),
+      [&](const Share& share, std::size_t task) { refused[task] = find_refused(moves, share); });
   const auto first = std::ranges::find_if(refused, [](const auto& r) { return r.has_value(); });
   return first == refused.end() ? std::nullopt : *first;
 }

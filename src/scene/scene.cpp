@@ -128,11 +128,11 @@ void Scene::place(std::span<const Move> moves) {
   started_ = movers_.size();
   const auto place_of = [](const Move& move) { return move.body.index; };
   const bool may_divide =
-      executor_ != nullptr && tasks_for(moves.size()) > 1 &&
+      division_.tasks_for(moves.size()) > 1 &&
       std::ranges::adjacent_find(moves, std::ranges::greater_equal{}, place_of) == moves.end();
   if (!may_divide) return place(moves, movers_, unsure_);
   mover_works_.resize(kTasks);
-  divide(moves.size(), kTasks, [&](const Share& share, std::size_t task) {
+  division_.divide(moves.size(), kTasks, [&](const Share& share, std::size_t task) {
     auto& [moved, unsure] = mover_works_[task];
     place(moves.subspan(share.first, share.last - share.first), moved, unsure);
   });
@@ -203,9 +203,9 @@ Memory Scene::memory() const {
   }
   std::size_t of_leavers = 0;
   for (const MoverWork& work : mover_works_) of_leavers += work.bytes();
-  for (const LeaverWork& work : leaver_works_) of_leavers += work.bytes();
-  std::size_t of_works = 0;
-  for (const RowWork& work : row_works_) of_works += work.bytes();
+  for (const std::vector<Leaver>& left : left_works_) of_leavers += bytes_of(left);
+  std::size_t of_works = division_.bytes();
+  for (const PairWork& work : pair_works_) of_works += work.bytes();
   for (const PartnerWork& work : partner_works_) of_works += work.bytes();
   return {bytes_of(free_) + bytes_of(removed_) + bytes_of(placements_) + bytes_of(generations_) +
               bytes_of(states_) + bytes_of(paths_) + bytes_of(leave_at_) + bytes_of(boxes_) +

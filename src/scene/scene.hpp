@@ -1,14 +1,13 @@
 #pragma once
 
 #include <bit>
-#include <functional>
 #include <unordered_map>
 #include <variant>
 
 #include "afresh/cells.hpp"
 #include "scene/body.hpp"
 #include "scene/candidates.hpp"
-#include "scene/executor.hpp"
+#include "scene/division.hpp"
 #include "scene/large_pages.hpp"
 #include "scene/parts.hpp"
 #include "scene/settings.hpp"
@@ -142,28 +141,11 @@ class Scene {
            (traits_[bodies.a].rules.is_sensor || traits_[bodies.b].rules.is_sensor);
   }
 
-  /// Into how many tasks so many things are divided: more than one only with an executor.
-  std::size_t tasks_for(std::size_t things) const {
-    return executor_ != nullptr && things > 8 * kTasks ? kTasks : 1;
-  }
-  /// One is run here; more by the executor.
-  template <class Task>
-  void run(std::size_t tasks, const Task& task) const {
-    if (tasks > 1) return run_by_executor(tasks, std::cref(task));
-    task(0);
-  }
-  void run_by_executor(std::size_t tasks, const std::function<void(std::size_t)>& task) const;
-  /// `act(share, task)` of each of so many tasks, among which so many things are divided.
+  /// `act(k)` of each work on pairs, in which there are so many things in all.
   template <class Act>
-  void divide(std::size_t things, std::size_t tasks, const Act& act) const {
-    run(tasks, [&](std::size_t task) { act(share_of(things, task, tasks), task); });
-  }
-
-  /// `act(k)` of each of the works on rows, in which there are so many things in all.
-  template <class Act>
-  void for_each_row_work(std::size_t things, const Act& act) const {
-    const std::size_t works = row_works_.size();
-    if (works == kTasks && tasks_for(things) > 1) return run(works, act);
+  void for_each_pair_work(std::size_t things, const Act& act) const {
+    const std::size_t works = pair_works_.size();
+    if (division_.tasks_for(things) > 1) return division_.run(works, act);
     for (std::size_t k = 0; k < works; ++k) act(k);
   }
 
@@ -179,8 +161,7 @@ class Scene {
     return {movers_[i], placements_[movers_[i]].pose.position};
   }
 
-  void find_candidates();
-  std::size_t leaver_tasks_for(std::size_t things);
+  void renew_boxes();
   void find_leavers();
   void find_leavers(const Share& share, std::vector<Leaver>& left);
   void leave(const Mover& mover, std::vector<Leaver>& left);
@@ -189,38 +170,41 @@ class Scene {
   void part_from_partners();
   void refile();
   void find_all_partners();
-  void find_partners(std::span<const Leaver> some, PartnerWork& work) const;
+  void find_partners(std::span<const Leaver> some, Scratch& scratch, PartnerWork& work) const;
   void add_partners(const Leaver& leaver, std::span<const std::uint32_t> found,
-                    PartnerWork& work) const;
-  void add_candidates(std::vector<kernel::BodyPair>& adding);
+                    std::vector<std::uint32_t>& partners, PartnerWork& work) const;
+  void look_at_new(std::span<const std::uint32_t> lower, PairWork& work);
+  void add_candidates();
   void drop(std::uint32_t a, Candidate& candidate);
   void drop_all(std::uint32_t body);
 
   void look_at_candidates();
-  void prepare_works(std::size_t count);
+  void look_at_movers();
+  void look_at_all_rows();
+  PairWork& begun_work(std::size_t work, Scratch& scratch, Candidate* candidates,
+                       std::size_t count);
   void mark_bodies();
   /// Both paths, added as `sort_rows` does where bodies are marked.
   float paths_of(std::uint32_t a, std::uint32_t b) const {
     if (few_moved_ || settings_.recycled_motion > 0) return paths_[a] + paths_[b];
     return std::bit_cast<float>(marks_[a]) + std::bit_cast<float>(marks_[b]);
   }
-  void look_at_rows(std::uint32_t first, std::uint32_t last, RowWork& work);
-  void look_at_row(std::uint32_t a, RowWork& work);
-  void look_at_partners(std::uint32_t body, RowWork& work);
-  void look_at(std::uint32_t a, Candidate& candidate, RowWork& work);
-  void leave_out_apart(RowWork& work);
-  void leave_out_behind_faces(RowWork& work);
-  void draw_undrawn(RowWork& work);
+  void look_at_rows(std::uint32_t first, std::uint32_t last, PairWork& work);
+  void look_at_row(std::uint32_t a, PairWork& work);
+  void look_at_partners(std::uint32_t body, PairWork& work);
+  void look_at(std::uint32_t a, Candidate& candidate, PairWork& work);
+  void leave_out_apart(PairWork& work);
+  void leave_out_behind_faces(PairWork& work);
+  void draw_undrawn(PairWork& work);
   template <class Out>
-  void collide(const Queue& queue, Out out, RowWork& work);
-  void collide_waiting(RowWork& work);
-  void collide_touching(RowWork& work);
+  void collide(const Queue& queue, Out out, PairWork& work);
+  void collide_waiting(PairWork& work);
+  void collide_touching(PairWork& work);
   void keep_touching(const Queue& touching);
-  void collide_apart(RowWork& work);
+  void collide_apart(PairWork& work);
   void prove_apart(const kernel::BodyPair& bodies, const Manifold<float>& none, std::uint32_t place,
-                   RowWork& work);
-  void know(std::uint32_t place, std::uint32_t known, RowWork& work);
-  void leave_out_overlapping(Queue& leaving) const;
+                   PairWork& work);
+  void note_parted(PairWork& work) const;
   void take_results();
   /// The sum of both paths up to which two bodies are apart that have this much room, a length.
   float paths_to(const kernel::BodyPair& bodies, float margin) const {
@@ -276,12 +260,12 @@ class Scene {
   bool all_are_boxed_ = false;
   std::vector<Leaver> left_;
   std::vector<std::uint32_t> bodies_;
-  std::vector<std::uint32_t> marks_;    // by body
-  const Executor* executor_ = nullptr;  // none where it is empty
+  std::vector<std::uint32_t> marks_;  // by body
+  Division division_;
   std::vector<MoverWork> mover_works_;
-  std::vector<LeaverWork> leaver_works_;
+  std::vector<std::vector<Leaver>> left_works_;
   std::vector<PartnerWork> partner_works_;
-  std::vector<RowWork> row_works_;     // the first so many in use
+  std::vector<PairWork> pair_works_;   // on rows, and as many on pairs that are new
   std::size_t compared_ = 0;           // pairs of tight boxes, in the last step
   std::vector<std::uint32_t> vacant_;  // contacts that ended in this step
   StepCounts counts_;

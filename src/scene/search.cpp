@@ -54,21 +54,15 @@ Box fattened(const Box& box, const Vector2<float>& motion, float extent, const F
 
 }  // namespace
 
-void Scene::find_candidates() {
+/// Those that left their fattened boxes, which get new ones.
+void Scene::renew_boxes() {
   counts_.moved = movers_.size();
   few_moved_ = few_moved();
-  all_are_boxed_ = !few_moved_ && (executor_ != nullptr || 2 * compared_ > body_count_);
+  all_are_boxed_ = !few_moved_ && (division_.has_executor() || 2 * compared_ > body_count_);
   if (all_are_boxed_) draw_all_boxes();
   find_leavers();
   counts_.left_boxes = left_.size();
-  if (left_.empty()) return;
   part_from_partners();
-  if (kAskShare * left_.size() > body_count_) {
-    cells_.ask_for_all();
-    ask_for_all(boxes_);
-  }
-  refile();
-  find_all_partners();
 }
 
 /// Then only their pairs are looked at. Each is found by going along a row, and rows are long where
@@ -79,27 +73,22 @@ bool Scene::few_moved() const {
          movers_.size() * candidates_.longest_row() < body_count_ + candidates_.size();
 }
 
-/// Each with work of its own.
-std::size_t Scene::leaver_tasks_for(std::size_t things) {
-  const std::size_t tasks = tasks_for(things);
-  if (leaver_works_.size() < tasks) leaver_works_.resize(tasks);
-  return tasks;
-}
-
 /// Each task looks at its share of the unsure ones; those that left are listed in their order.
 void Scene::find_leavers() {
   clear_for(left_, body_count_);
   clear_for(bodies_, body_count_);
   const std::size_t unsure = started_ + unsure_.size();
-  const std::size_t tasks = leaver_tasks_for(unsure);
-  if (tasks == 1) find_leavers({0, unsure}, left_);
-  if (tasks > 1) {
-    divide(unsure, tasks, [&](const Share& share, std::size_t task) {
-      find_leavers(share, leaver_works_[task].left);
+  const std::size_t tasks = division_.tasks_for(unsure);
+  if (tasks == 1) {
+    find_leavers({0, unsure}, left_);
+  } else {
+    left_works_.resize(tasks);
+    division_.divide(unsure, tasks, [&](const Share& share, std::size_t task) {
+      find_leavers(share, left_works_[task]);
     });
-    for (LeaverWork& work : std::span(leaver_works_).first(tasks)) {
-      append(left_, work.left);
-      clear_for(work.left, body_count_);
+    for (std::vector<Leaver>& left : left_works_) {
+      append(left_, left);
+      clear_for(left, body_count_);
     }
   }
   for (std::size_t i = 0; i < left_.size(); ++i) {
@@ -127,18 +116,19 @@ void Scene::find_leavers(const Share& share, std::vector<Leaver>& left) {
 /// where most are asked for, it is faster than to find out which.
 void Scene::draw_all_boxes() {
   const std::size_t places = states_.size();
-  divide(places, leaver_tasks_for(places), [&](const Share& share, std::size_t task) {
-    const auto [first, last] = share;
-    std::vector<std::uint32_t>& undrawn = leaver_works_[task].places;
-    resize(undrawn, last - first + 1);
-    std::size_t count = 0;
-    for (std::size_t body = first; body < last; ++body) {
-      undrawn[count] = static_cast<std::uint32_t>(body);
-      const std::uint8_t state = states_[body];
-      const bool is_there = (state & (kMoved | kFiled)) != 0;
-      count += static_cast<std::size_t>(is_there & ((state & kBoxed) == 0));
+  division_.divide(places, division_.tasks_for(places), [&](const Share& share, std::size_t) {
+    std::array<std::uint32_t, 256> undrawn;
+    for (std::size_t first = share.first; first < share.last; first += undrawn.size()) {
+      const std::size_t last = std::min(first + undrawn.size(), share.last);
+      std::size_t count = 0;
+      for (std::size_t body = first; body < last; ++body) {
+        undrawn[count] = static_cast<std::uint32_t>(body);
+        const std::uint8_t state = states_[body];
+        const bool is_there = (state & (kMoved | kFiled)) != 0;
+        count += static_cast<std::size_t>(is_there & ((state & kBoxed) == 0));
+      }
+      draw_tight_boxes(std::span(undrawn).first(count));
     }
-    draw_tight_boxes(std::span<const std::uint32_t>(undrawn).first(count));
   });
 }
 
@@ -198,6 +188,11 @@ void Scene::part_from_partners() {
 }
 
 void Scene::refile() {
+  if (left_.empty()) return;
+  if (kAskShare * left_.size() > body_count_) {
+    cells_.ask_for_all();
+    ask_for_all(boxes_);
+  }
   const auto refiled = [&](std::size_t i) -> Cells::Refiled {
     const auto& [body, before] = left_[i];
     return {body, is(body, kFiled) ? &before : nullptr, &boxes_[body]};
@@ -211,83 +206,6 @@ void Scene::refile() {
     if (is(body, kFiled)) bodies_.push_back(body);
   }
   cells_.file(bodies_, boxes_, kRoom);
-}
-
-/// Each task searches for its share of those that left.
-void Scene::find_all_partners() {
-  const std::size_t tasks = tasks_for(left_.size());
-  if (partner_works_.size() < tasks) partner_works_.resize(tasks);
-  divide(left_.size(), tasks, [&](const Share& share, std::size_t task) {
-    PartnerWork& work = partner_works_[task];
-    for (std::size_t i = share.first; i < share.last; i += Cells::kTogether) {
-      find_partners(std::span(left_).subspan(i, std::min(Cells::kTogether, share.last - i)), work);
-    }
-  });
-  for (const Leaver& leaver : left_) {
-    states_[leaver.body] &= static_cast<std::uint8_t>(~(kAlone | kFewPartners));
-  }
-  for (PartnerWork& work : std::span(partner_works_).first(tasks)) {
-    for (const std::uint32_t body : work.alone) states_[body] |= kAlone;
-    for (const std::uint32_t body : work.with_few) states_[body] |= kFewPartners;
-    clear_for(work.alone, body_count_);
-    clear_for(work.with_few, body_count_);
-    add_candidates(work.adding);
-  }
-}
-
-/// Where theirs may lie is found out of all first, and asked for.
-void Scene::find_partners(std::span<const Leaver> some, PartnerWork& work) const {
-  std::array<std::size_t, Cells::kTogether> ends;
-  work.runs.clear();
-  for (std::size_t i = 0; i < some.size(); ++i) {
-    cells_.find_runs(boxes_[some[i].body], work.runs);
-    ends[i] = work.runs.size();
-  }
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < some.size(); ++i) {
-    const auto runs = std::span<const Cells::Run>(work.runs).subspan(first, ends[i] - first);
-    add_partners(some[i], cells_.among(runs, boxes_[some[i].body], work.found), work);
-    first = ends[i];
-  }
-}
-
-/// Two that left are found by the lower one.
-void Scene::add_partners(const Leaver& leaver, std::span<const std::uint32_t> found,
-                         PartnerWork& work) const {
-  const std::uint32_t body = leaver.body;
-  const Box& before = leaver.before;
-  constexpr std::size_t kFew = 2;
-  const std::size_t others = found.size() - 1;
-  if (others <= kFew) (others == 0 ? work.alone : work.with_few).push_back(body);
-  std::vector<kernel::BodyPair>& adding = work.adding;
-  const std::size_t first = adding.size();
-  std::size_t count = first;
-  resize(adding, count + found.size());
-  for (const std::uint32_t other : found) {  // no branch depends on which are new
-    adding[count] = {body, other};
-    const bool is_new = !scene::overlap(before, boxes_[other]);
-    count += static_cast<std::size_t>(is_new) | static_cast<std::size_t>(is(other, kLeft));
-  }
-  const auto is_old = [&](std::uint32_t other) {  // of few: where those were before that left
-    if (!is(other, kLeft)) return false;
-    return other <= body || scene::overlap(before, left_[left_at_[other]].before);
-  };
-  std::size_t kept = first;
-  for (std::size_t i = first; i < count; ++i) {
-    const std::uint32_t other = adding[i].b;
-    if (is_old(other) || !may_touch(body, other)) continue;
-    adding[kept++] = {std::min(body, other), std::max(body, other)};
-  }
-  adding.resize(kept);
-}
-
-void Scene::add_candidates(std::vector<kernel::BodyPair>& adding) {
-  for (std::size_t i = 0; i < adding.size(); ++i) {
-    candidates_.prefetch(adding[ahead_of(i, kRowsAhead, adding.size())].a);
-    candidates_.add(adding[i].a, adding[i].b);
-  }
-  counts_.pairs_added += adding.size();
-  clear_for(adding, body_count_);
 }
 
 }  // namespace manifuzz::scene

@@ -8,10 +8,10 @@ namespace manifuzz::scene {
 
 std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
                                                   const Executor& executor) {
-  executor_ = executor ? &executor : nullptr;
+  division_.set_executor(executor);
   const auto refused = find_refused(moves);
   if (refused) {
-    executor_ = nullptr;
+    division_.forget_executor();
     return *refused;
   }
   try {
@@ -20,7 +20,7 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
     forget_pairs();
     throw;
   }
-  executor_ = nullptr;
+  division_.forget_executor();
   return result();
 }
 
@@ -31,10 +31,11 @@ void Scene::advance(std::span<const Move> moves) {
   renumbered_.erase(renumbered_.begin(),
                     renumbered_.begin() + std::exchange(renumbered_reported_, 0));
   place(moves_of_parts(moves));
-  find_candidates();
+  renew_boxes();
   look_at_candidates();
   begin_contacts();
   drop_parted();
+  add_candidates();
   settle();
 }
 
@@ -46,10 +47,11 @@ void Scene::settle() {
   if (few_moved_) {
     for (const std::uint32_t body : movers_) settled(states_[body]);
   } else {
-    divide(states_.size(), tasks_for(states_.size()), [&](const Share& share, std::size_t) {
-      const auto [first, last] = share;
-      std::ranges::for_each(std::span(states_).subspan(first, last - first), settled);
-    });
+    division_.divide(
+        states_.size(), division_.tasks_for(states_.size()), [&](const Share& share, std::size_t) {
+          const auto [first, last] = share;
+          std::ranges::for_each(std::span(states_).subspan(first, last - first), settled);
+        });
   }
   movers_.clear();
   clear_for(unsure_, body_count_);
@@ -60,31 +62,32 @@ void Scene::settle() {
 /// Drops the pairs whose boxes overlap no longer. None touches: each was collided in this step, or
 /// proven apart. From the end: the last pair of a row takes a dropped one's place.
 void Scene::drop_parted() {
-  for (std::size_t k = row_works_.size(); k-- > 0;) {
-    Queue& queue = row_works_[k].leaving;
-    for (std::size_t i = std::exchange(queue.count, 0); i-- > 0;) {
-      drop(queue.a[i], candidates_.at(queue.at[i]));
+  for (std::size_t k = pair_works_.size(); k-- > 0;) {
+    std::vector<Parted>& parted = pair_works_[k].parted;
+    for (std::size_t i = parted.size(); i-- > 0;) {
+      drop(parted[i].a, candidates_.at(parted[i].place));
     }
+    parted.clear();
   }
 }
 
 /// In places of those that ended in this step, then behind the last of all.
 void Scene::begin_contacts() {
-  std::array<std::size_t, kTasks + 1> begun{};  // before those of a work
-  for (std::size_t k = 0; k < row_works_.size(); ++k) {
-    begun[k + 1] = begun[k] + row_works_[k].beginning.size();
+  std::array<std::size_t, 2 * kTasks + 1> begun{};  // before those of a work
+  for (std::size_t k = 0; k < pair_works_.size(); ++k) {
+    begun[k + 1] = begun[k] + pair_works_[k].beginning.size();
   }
-  const std::size_t count = begun[row_works_.size()];
+  const std::size_t count = begun[pair_works_.size()];
   // In the first places, where some stay vacant: the last contact of all has then not begun.
   if (vacant_.size() > count) std::ranges::sort(vacant_);
   const std::size_t behind_last = contacts_.size() - vacant_.size();
   resize(contacts_, std::max(contacts_.size(), behind_last + count));
   if (settings_.recycled_motion > 0) resize(kept_, contacts_.size());
   resize(began_, count);
-  for_each_row_work(count, [&](std::size_t k) {
-    begin_contacts(row_works_[k].beginning, begun[k], behind_last);
+  for_each_pair_work(count, [&](std::size_t k) {
+    begin_contacts(pair_works_[k].beginning, begun[k], behind_last);
   });
-  for (RowWork& work : row_works_) clear_for(work.beginning, body_count_);
+  for (PairWork& work : pair_works_) clear_for(work.beginning, body_count_);
   // From the end: the last contact of all has then not ended.
   for (std::size_t i = vacant_.size(); i-- > count;) erase_contact(vacant_[i]);
   clear_for(vacant_, body_count_);

@@ -8,23 +8,9 @@
 #include "afresh/shape_table.hpp"
 #include "scene/body.hpp"
 #include "scene/placing.hpp"
-#include "scene/rows.hpp"
+#include "scene/scratch.hpp"
 
 namespace manifuzz::scene {
-
-/// A step that is divided has so many tasks, whatever runs them.
-inline constexpr std::size_t kTasks = 8;
-
-/// From the first to before the last of some things.
-struct Share {
-  std::size_t first;  ///< of its things
-  std::size_t last;   ///< behind its last one
-};
-
-/// What one of so many tasks has of so many things.
-inline Share share_of(std::size_t things, std::size_t task, std::size_t tasks) {
-  return {task * things / tasks, (task + 1) * things / tasks};
-}
 
 /// So many pairs ahead, contacts and candidates are asked for: they lie anywhere in memory.
 inline constexpr std::size_t kContactsAhead = 16;
@@ -48,25 +34,38 @@ struct Proof {
   std::uint32_t known;  ///< `Candidate::known`
 };
 
-/// What a run of rows needs, and what comes of it; several are gone through at once, or one alone.
-struct RowWork {
-  Queue touching;                          ///< pairs that touched
-  Queue apart;                             ///< pairs that did not, and are not proven apart
-  Queue leaving;                           ///< pairs of which a body left its box
-  std::vector<Manifold<float>> manifolds;  ///< of those apart, as the kernel gave them
-  std::vector<std::uint32_t> undrawn;      ///< bodies whose tight boxes are to be drawn
-  std::vector<Proof> proofs;               ///< to be written
-  std::vector<Beginning> beginning;        ///< pairs that begin to touch
-  std::vector<std::uint32_t> vacant;       ///< contacts that ended
-  std::vector<EndedContact> ended;         ///< as they are reported
-  PairCounts pairs;                        ///< what was done with the candidates
-  std::size_t proof_count = 0;             ///< of pairs that are apart
-  std::size_t compared = 0;                ///< pairs whose tight boxes were compared
+/// A candidate whose boxes overlap no longer.
+struct Parted {
+  std::uint32_t a;      ///< its row
+  std::uint32_t place;  ///< among the candidates
+};
+
+/// What comes of a look at some candidates: a run of rows, or those that are new.
+struct PairWork {
+  Scratch* scratch = nullptr;         ///< in which its pairs wait while they are looked at
+  Candidate* candidates = nullptr;    ///< among which those that wait have their places
+  bool are_read = false;              ///< by others at the same time: proofs are written later
+  std::vector<Proof> proofs;          ///< to be written
+  std::vector<Beginning> beginning;   ///< pairs that begin to touch
+  std::vector<Parted> parted;         ///< pairs to be dropped
+  std::vector<std::uint32_t> vacant;  ///< contacts that ended
+  std::vector<EndedContact> ended;    ///< as they are reported
+  PairCounts pairs;                   ///< what was done with the candidates
+  std::size_t proof_count = 0;        ///< of pairs that are apart
+  std::size_t compared = 0;           ///< pairs whose tight boxes were compared
+
+  /// What is known of a candidate, as `Candidate::know` has it; written now or later.
+  void know(std::uint32_t place, std::uint32_t known) {
+    if (are_read) {
+      proofs.push_back({place, known});
+    } else {
+      candidates[place].know(known);
+    }
+  }
 
   /// The memory it takes.
   std::size_t bytes() const {
-    return touching.bytes() + apart.bytes() + leaving.bytes() + bytes_of(manifolds) +
-           bytes_of(undrawn) + bytes_of(proofs) + bytes_of(beginning) + bytes_of(vacant) +
+    return bytes_of(proofs) + bytes_of(beginning) + bytes_of(parted) + bytes_of(vacant) +
            bytes_of(ended);
   }
 };
@@ -86,27 +85,16 @@ struct Leaver {
   Box before;          ///< the box that it left
 };
 
-/// What the look at some bodies needs, and what comes of it.
-struct LeaverWork {
-  std::vector<std::uint32_t> places;  ///< of bodies to be drawn
-  std::vector<Leaver> left;           ///< those that left
-
-  /// The memory it takes.
-  std::size_t bytes() const { return bytes_of(places) + bytes_of(left); }
-};
-
-/// What the search for partners of some bodies that left their boxes needs, and what comes of it.
+/// What comes of the search for partners of some bodies that left their boxes.
 struct PartnerWork {
-  std::vector<Cells::Run> runs;          ///< where some boxes' partners may lie
-  std::vector<std::uint32_t> found;      ///< by one of the boxes, and room
-  std::vector<kernel::BodyPair> adding;  ///< pairs that are to be candidates
-  std::vector<std::uint32_t> alone;      ///< bodies that have no partners
-  std::vector<std::uint32_t> with_few;   ///< bodies that have few
+  std::vector<std::uint32_t> lower;     ///< of the pairs that are to be candidates, A,
+  std::vector<Candidate> adding;        ///< and what else is known of them
+  std::vector<std::uint32_t> alone;     ///< bodies that have no partners
+  std::vector<std::uint32_t> with_few;  ///< bodies that have few
 
   /// The memory it takes.
   std::size_t bytes() const {
-    return bytes_of(runs) + bytes_of(found) + bytes_of(adding) + bytes_of(alone) +
-           bytes_of(with_few);
+    return bytes_of(lower) + bytes_of(adding) + bytes_of(alone) + bytes_of(with_few);
   }
 };
 

@@ -87,7 +87,7 @@ std::optional<std::string> crowd_complaint(MakeScene make, std::uint64_t seed) {
 }
 
 std::optional<std::string> dense_crowd_complaint(MakeScene make) {
-  return Crowd(make, 0, 1200).run(3);
+  return Crowd(make, 0, 1800).run(3);
 }
 
 }  // namespace manifuzz::test
