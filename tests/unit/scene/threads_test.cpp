@@ -138,7 +138,7 @@ TEST_CASE(
   Scene alone;
   Scene divided;
   std::vector<BodyHandle> bodies;
-  constexpr int kCount = 3500;
+  constexpr int kCount = 5500;
   constexpr int kFloor = 500;
   for (Scene* const scene : {&alone, &divided}) {
     bodies.clear();
@@ -146,7 +146,7 @@ TEST_CASE(
       return std::get<std::uint32_t>(scene->add_shape(make_polygon<float>(vertices, radius)));
     };
     const auto ball = add_shape({{0, 0}}, 0.4F);
-    const auto floor = add_shape({{-10, -1}, {4000, -1}, {4000, 0}, {-10, 0}}, 0);
+    const auto floor = add_shape({{-10, -1}, {6000, -1}, {6000, 0}, {-10, 0}}, 0);
     for (int i = 0; i < kCount; ++i) {
       const float height = i < kFloor ? 100 : 0.39F + 0.0001F * static_cast<float>(i % 400);
       const Pose<float> pose{{static_cast<float>(i), height}, {1, 0}};
