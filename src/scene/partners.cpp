@@ -23,7 +23,8 @@ void Scene::find_all_partners() {
                                             found.adding.data(), found.adding.size()));
       });
   for (const Leaver& leaver : left_) {
-    states_[leaver.body] &= static_cast<std::uint8_t>(~(kAlone | kFewPartners));
+    std::uint8_t& state = states_[leaver.body];
+    state = static_cast<std::uint8_t>((state & ~(kAlone | kFewPartners)) | kFiled);
   }
   for (PartnerWork& work : std::span(partner_works_).first(tasks)) {
     for (const std::uint32_t body : work.alone) states_[body] |= kAlone;

@@ -187,6 +187,7 @@ void Scene::part_from_partners() {
   }
 }
 
+/// Files those that left. It writes no state: others may read them.
 void Scene::refile() {
   if (left_.empty()) return;
   if (kAskShare * left_.size() > body_count_) {
@@ -199,11 +200,10 @@ void Scene::refile() {
   };
   const bool is_filed =
       kFileShare * left_.size() < body_count_ && cells_.refile(left_.size(), refiled);
-  for (const Leaver& leaver : left_) states_[leaver.body] |= kFiled;
   if (is_filed) return;
   bodies_.clear();
   for (std::uint32_t body = 0; body < states_.size(); ++body) {
-    if (is(body, kFiled)) bodies_.push_back(body);
+    if ((states_[body] & (kFiled | kLeft)) != 0) bodies_.push_back(body);
   }
   cells_.file(bodies_, boxes_, kRoom);
 }
