@@ -71,6 +71,8 @@ PairWork& Scene::begun_work(std::size_t work, Scratch& scratch, Candidate* candi
   begun.are_read = false;
   const std::size_t room = std::min(kQueueMax, count);
   for (Queue* const queue : {&scratch.touching, &scratch.apart}) queue->make_room_for(room);
+  // One whose memory ran out may have left some.
+  scratch.touching.count = scratch.apart.count = scratch.leaving.count = 0;
   if (scratch.manifolds.size() < room) resize(scratch.manifolds, room);
   return begun;
 }

@@ -17,9 +17,9 @@ inline constexpr std::uint32_t kRowsAhead = 16;
 /// pairs need ahead, too.
 inline constexpr std::size_t kPairLanes = 16;
 
-/// Candidates that wait to be collided or dropped; an array each for what is known of them, with
-/// room for more behind those that wait, and kPairLanes behind that room: these may be written and
-/// read, and mean nothing.
+/// Candidates that wait to be collided, or of which a body left; an array each for what is known of
+/// them, with room for more behind those that wait, and kPairLanes behind that room: these may be
+/// written and read, and mean nothing.
 struct Queue {
   std::vector<std::uint32_t> a;   ///< the body of lower index
   std::vector<std::uint32_t> b;   ///< the other
@@ -32,7 +32,8 @@ struct Queue {
   /// At least so much room.
   void make_room_for(std::size_t pairs) {
     if (room() >= pairs) return;
-    for (auto* const column : {&a, &b, &at}) resize(*column, pairs + kPairLanes);
+    // `a` last: it says how much room there is, should memory run out before.
+    for (auto* const column : {&b, &at, &a}) resize(*column, pairs + kPairLanes);
   }
   /// The next one, if it is chosen; no branch depends on that.
   void push(const kernel::BodyPair& pair, std::uint32_t where, bool chosen = true) {

@@ -67,7 +67,7 @@ void Scene::drop_parted() {
     for (std::size_t i = parted.size(); i-- > 0;) {
       drop(parted[i].a, candidates_.at(parted[i].place));
     }
-    parted.clear();
+    clear_for(parted, body_count_);
   }
 }
 
@@ -88,7 +88,7 @@ void Scene::begin_contacts() {
     begin_contacts(pair_works_[k].beginning, begun[k], behind_last);
   });
   for (PairWork& work : pair_works_) clear_for(work.beginning, body_count_);
-  // From the end: the last contact of all has then not ended.
+  // From the end: the last contact of all has then not ended, nor begun, so its pair is in a row.
   for (std::size_t i = vacant_.size(); i-- > count;) erase_contact(vacant_[i]);
   clear_for(vacant_, body_count_);
 }

@@ -7,8 +7,8 @@
 #include "afresh/cells.hpp"
 #include "afresh/shape_table.hpp"
 #include "scene/body.hpp"
+#include "scene/division.hpp"
 #include "scene/placing.hpp"
-#include "scene/scratch.hpp"
 
 namespace manifuzz::scene {
 
