@@ -45,11 +45,13 @@ class Lending {
   /// A scratch that nobody else has for as long as this lives.
   class Loan {
    public:
+    /// The first that is free; there must be one.
     explicit Loan(Lending& lending) : lending_(lending), place_(lending.borrow()) {}
     ~Loan() { lending_.is_lent_[place_].store(false, std::memory_order_release); }
     Loan(const Loan&) = delete;
     Loan& operator=(const Loan&) = delete;
 
+    /// What is lent.
     Scratch& operator*() const { return lending_.all_[place_]; }
 
    private:
