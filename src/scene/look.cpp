@@ -62,7 +62,7 @@ void Scene::look_at_all_rows() {
   division_.divide_with_scratch(candidates_.rows(), tasks, look);
 }
 
-/// One in whose scratch pairs may wait that have their places among so many candidates.
+/// A work whose pairs wait in this scratch, and have their places among these candidates.
 PairWork& Scene::begun_work(std::size_t work, Scratch& scratch, Candidate* candidates,
                             std::size_t count) {
   PairWork& begun = pair_works_[work];
@@ -71,7 +71,7 @@ PairWork& Scene::begun_work(std::size_t work, Scratch& scratch, Candidate* candi
   begun.are_read = false;
   const std::size_t room = std::min(kQueueMax, count);
   for (Queue* const queue : {&scratch.touching, &scratch.apart}) queue->make_room_for(room);
-  // One whose memory ran out may have left some.
+  // A task that ran out of memory may have left some.
   scratch.touching.count = scratch.apart.count = scratch.leaving.count = 0;
   if (scratch.manifolds.size() < room) resize(scratch.manifolds, room);
   return begun;
@@ -121,7 +121,7 @@ void Scene::look_at_row(std::uint32_t a, PairWork& work) {
   }
 }
 
-/// Of the pairs of which a body left its box, those whose boxes overlap no longer.
+/// Pairs of which a body left its box, and whose boxes overlap no longer.
 void Scene::note_parted(PairWork& work) const {
   Queue& leaving = work.scratch->leaving;
   const std::size_t count = std::exchange(leaving.count, 0);

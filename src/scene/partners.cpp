@@ -3,7 +3,7 @@
 
 #include "scene/scene.hpp"
 
-// Those that left their boxes: whose boxes overlap theirs now, and what is known of those pairs.
+// Bodies that left their boxes: whose boxes overlap theirs now, and what is known of those pairs.
 
 namespace manifuzz::scene {
 
@@ -77,7 +77,7 @@ void Scene::add_partners(const Leaver& leaver, std::span<const std::uint32_t> fo
   }
 }
 
-/// Nothing is known of them.
+/// Nothing is known of them, so all wait to be compared.
 void Scene::look_at_new(std::span<const std::uint32_t> lower, PairWork& work) {
   Queue& apart = work.scratch->apart;
   for (std::uint32_t i = 0; i < lower.size(); ++i) {

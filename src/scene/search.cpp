@@ -54,7 +54,7 @@ Box fattened(const Box& box, const Vector2<float>& motion, float extent, const F
 
 }  // namespace
 
-/// Those that left their fattened boxes, which get new ones.
+/// Bodies that left their fattened boxes get new ones.
 void Scene::renew_boxes() {
   counts_.moved = movers_.size();
   few_moved_ = few_moved();
@@ -187,7 +187,7 @@ void Scene::part_from_partners() {
   }
 }
 
-/// Files those that left. It writes no state: others may read them.
+/// Files those that left. It writes no states: other tasks read them meanwhile.
 void Scene::refile() {
   if (left_.empty()) return;
   if (kAskShare * left_.size() > body_count_) {
