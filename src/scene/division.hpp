@@ -110,6 +110,11 @@ class Division {
   void divide(std::size_t things, std::size_t tasks, const Act& act) const {
     run(tasks, [&](std::size_t task) { act(share_of(things, task, tasks), task); });
   }
+  /// Among as many tasks as so many things are divided into.
+  template <class Act>
+  void divide(std::size_t things, const Act& act) const {
+    divide(things, tasks_for(things), act);
+  }
   /// `act(share, task, scratch)`, likewise; the scratch is a task's own while it runs.
   template <class Act>
   void divide_with_scratch(std::size_t things, std::size_t tasks, const Act& act) {

@@ -21,12 +21,14 @@ constexpr std::size_t kQueueMax = 4096;
 void Scene::look_at_candidates() {
   counts_.pairs.candidates = candidates_.size();
   const bool is_strict = settings_.recycled_motion == 0;
-  if (few_moved_ || !is_strict) division_.forget_executor();
+  if (few_moved_) division_.forget_executor();
   const std::size_t works = 2 * division_.row_tasks();
   if (pair_works_.size() < works) pair_works_.resize(works);
-  if (!division_.has_executor()) {
+  const bool divides_rows = division_.has_executor() && is_strict;
+  if (!divides_rows) {
     refile();
     find_all_partners();
+    division_.forget_executor();
   }
   if (few_moved_) {
     look_at_movers();
@@ -34,7 +36,7 @@ void Scene::look_at_candidates() {
     if (is_strict) mark_bodies();
     look_at_all_rows();
   }
-  if (division_.has_executor()) find_all_partners();
+  if (divides_rows) find_all_partners();
   take_results();
 }
 
@@ -79,12 +81,11 @@ PairWork& Scene::begun_work(std::size_t work, Scratch& scratch, Candidate* candi
 
 void Scene::mark_bodies() {
   resize(marks_, states_.size());
-  division_.divide(marks_.size(), division_.tasks_for(marks_.size()),
-                   [&](const Share& share, std::size_t) {
-                     for (std::size_t body = share.first; body < share.last; ++body) {
-                       marks_[body] = mark_of(paths_[body], states_[body]);
-                     }
-                   });
+  division_.divide(marks_.size(), [&](const Share& share, std::size_t) {
+    for (std::size_t body = share.first; body < share.last; ++body) {
+      marks_[body] = mark_of(paths_[body], states_[body]);
+    }
+  });
 }
 
 /// Pairs whose boxes overlap no longer are looked at a last time: `drop_parted` drops them.

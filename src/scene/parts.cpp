@@ -124,9 +124,9 @@ BodyHandle Scene::handle(const PartName& name) const {
 /// The first of all, whatever task finds it.
 std::optional<RefusedMove> Scene::find_refused(std::span<const Move> moves) const {
   std::array<std::optional<RefusedMove>, kTasks> refused;
-  division_.divide(
-      moves.size(), division_.tasks_for(moves.size()),
-      [&](const Share& share, std::size_t task) { refused[task] = find_refused(moves, share); });
+  division_.divide(moves.size(), [&](const Share& share, std::size_t task) {
+    refused[task] = find_refused(moves, share);
+  });
   const auto first = std::ranges::find_if(refused, [](const auto& r) { return r.has_value(); });
   return first == refused.end() ? std::nullopt : *first;
 }

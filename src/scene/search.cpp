@@ -116,7 +116,7 @@ void Scene::find_leavers(const Share& share, std::vector<Leaver>& left) {
 /// where most are asked for, it is faster than to find out which.
 void Scene::draw_all_boxes() {
   const std::size_t places = states_.size();
-  division_.divide(places, division_.tasks_for(places), [&](const Share& share, std::size_t) {
+  division_.divide(places, [&](const Share& share, std::size_t) {
     std::array<std::uint32_t, 256> undrawn;
     for (std::size_t first = share.first; first < share.last; first += undrawn.size()) {
       const std::size_t last = std::min(first + undrawn.size(), share.last);

@@ -47,11 +47,10 @@ void Scene::settle() {
   if (few_moved_) {
     for (const std::uint32_t body : movers_) settled(states_[body]);
   } else {
-    division_.divide(
-        states_.size(), division_.tasks_for(states_.size()), [&](const Share& share, std::size_t) {
-          const auto [first, last] = share;
-          std::ranges::for_each(std::span(states_).subspan(first, last - first), settled);
-        });
+    division_.divide(states_.size(), [&](const Share& share, std::size_t) {
+      const auto [first, last] = share;
+      std::ranges::for_each(std::span(states_).subspan(first, last - first), settled);
+    });
   }
   movers_.clear();
   clear_for(unsure_, body_count_);

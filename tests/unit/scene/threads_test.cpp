@@ -154,7 +154,8 @@ TEST_CASE(
       const auto added = scene->add(is_floor ? floor : ball, is_floor ? Pose<float>{} : pose);
       bodies.push_back(std::get<BodyHandle>(added));
     }
-    REQUIRE(std::holds_alternative<scene::StepResult>(scene->step({})));
+    const auto executor = scene == &divided ? std::ref(threads) : scene::Executor();
+    REQUIRE(std::holds_alternative<scene::StepResult>(scene->step({}, executor)));
   }
   for (int number = 0; number < 12; ++number) {
     CAPTURE(number);
