@@ -142,28 +142,44 @@ void collide_batch(const Shapes<double>& shapes, const PairBatch<double>& batch,
 
 namespace {
 
-template <class Scalar>
+/// `touched(manifold)` is asked of what stands where a pair's manifold goes.
+template <class Scalar, class Touched>
 void stream_pairs(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
-                  std::span<const BodyPair> pairs, Scalar tie_bias,
-                  std::span<Manifold<Scalar>> out) {
+                  std::span<const BodyPair> pairs, Scalar tie_bias, std::span<Manifold<Scalar>> out,
+                  const Touched& touched) {
   assert(out.size() >= pairs.size());
   PairStream<Scalar> stream(shapes, bodies, tie_bias);
-  for (std::size_t i = 0; i < pairs.size(); ++i) stream.push(pairs[i], out[i]);
+  for (std::size_t i = 0; i < pairs.size(); ++i) stream.push(pairs[i], out[i], touched(out[i]));
   stream.finish();
 }
+
+constexpr auto kUnknown = [](const auto&) { return false; };
+constexpr auto kHasPoints = [](const auto& manifold) { return manifold.count > 0; };
 
 }  // namespace
 
 void collide_pairs(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
                    std::span<const BodyPair> pairs, float tie_bias,
                    std::span<Manifold<float>> out) {
-  stream_pairs(shapes, bodies, pairs, tie_bias, out);
+  stream_pairs(shapes, bodies, pairs, tie_bias, out, kUnknown);
 }
 
 void collide_pairs(const Shapes<double>& shapes, std::span<const Placement<double>> bodies,
                    std::span<const BodyPair> pairs, double tie_bias,
                    std::span<Manifold<double>> out) {
-  stream_pairs(shapes, bodies, pairs, tie_bias, out);
+  stream_pairs(shapes, bodies, pairs, tie_bias, out, kUnknown);
+}
+
+void collide_pairs_again(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
+                         std::span<const BodyPair> pairs, float tie_bias,
+                         std::span<Manifold<float>> manifolds) {
+  stream_pairs(shapes, bodies, pairs, tie_bias, manifolds, kHasPoints);
+}
+
+void collide_pairs_again(const Shapes<double>& shapes, std::span<const Placement<double>> bodies,
+                         std::span<const BodyPair> pairs, double tie_bias,
+                         std::span<Manifold<double>> manifolds) {
+  stream_pairs(shapes, bodies, pairs, tie_bias, manifolds, kHasPoints);
 }
 
 }  // namespace manifuzz::kernel

@@ -51,22 +51,11 @@ HWY_INLINE void take(const Strip<D>& s, int polygon, int index, hn::Mask<D> wher
   face.edge = select<D>(where, edge, face.edge);
 }
 
-/// Takes face `index` of a polygon where it lies farther in front: of equals, the first stays.
-template <class D>
-HWY_INLINE void consider(const Strip<D>& s, int polygon, int index, hn::Vec<D> separation,
-                         hn::Vec<D>& greatest, LaneFace<D>& face) {
-  const auto is_greater = hn::Gt(separation, greatest);
-  greatest = hn::IfThenElse(is_greater, separation, greatest);
-  take(s, polygon, index, is_greater, face);
-}
-
-/// The greatest separations and the reference, A's face unless B's leads by more than the bias.
+/// The face of greatest separation of each polygon, the first of equals.
 template <class D>
 struct LaneSearch {
-  hn::Vec<D> of_a;
-  hn::Vec<D> of_b;
-  hn::Mask<D> take_b;
-  LaneFace<D> reference;
+  hn::Vec<D> of[2];
+  hn::Vec<DInt<D>> face[2];
 };
 
 /// Both polygons' faces at once: a face of B looks along v_a - v_b, a face of A along its exact
@@ -95,47 +84,64 @@ HWY_INLINE void separate_faces(D d, const Strip<D>& s, const Consider& consider_
   }
 }
 
-/// Where a face of B leads, it replaces A's as the reference, which is carried along once.
 template <int kCountB, class D>
-HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, LaneSearch<D>& found) {
-  auto of_a = hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity());
-  LaneFace<D> reference{first_edge(s, 0), s.load2(s.corner(0, 0) + 2)};  // where none is greater
+HWY_INLINE void search_faces(D d, const Strip<D>& s, LaneSearch<D>& found) {
+  const DInt<D> di;
+  const auto consider = [&](int p, int k, hn::Vec<D> separation) HWY_ATTR {
+    const auto is_greater = hn::Gt(separation, found.of[p]);
+    found.of[p] = hn::IfThenElse(is_greater, separation, found.of[p]);
+    found.face[p] = hn::IfThenElse(hn::RebindMask(di, is_greater), hn::Set(di, k), found.face[p]);
+  };
+  found.of[0] = hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity());
+  found.face[0] = found.face[1] = hn::Zero(di);
   hn::Vec<D> of_face_b[kCountB];
   separate_faces<kCountB>(
-      d, s,
-      [&](int i, hn::Vec<D> separation)
-          HWY_ATTR { consider(s, 0, i, separation, of_a, reference); },
-      of_face_b);
-  found.of_a = of_a;
-  found.reference = reference;
-
-  found.of_b = of_face_b[0];
-  for (int j = 1; j < kCountB; ++j) found.of_b = hn::Max(of_face_b[j], found.of_b);
-  found.take_b = hn::Gt(found.of_b, hn::Add(found.of_a, hn::Set(d, tie_bias)));
-  const auto none = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::quiet_NaN());
-  const auto sought = hn::IfThenElse(found.take_b, found.of_b, none);
+      d, s, [&](int i, hn::Vec<D> separation) HWY_ATTR { consider(0, i, separation); }, of_face_b);
+  found.of[1] = of_face_b[0];
   HWY_UNROLL(kMaxVertices)
-  for (int j = kCountB - 1; j >= 0; --j) {  // the first of equals last
-    take(s, 1, j, hn::Eq(of_face_b[j], sought), found.reference);
-  }
+  for (int j = 1; j < kCountB; ++j) consider(1, j, of_face_b[j]);
 }
 
 template <class D>
-HWY_INLINE void search_faces(D d, const Strip<D>& s, hn::TFromD<D> tie_bias, LaneSearch<D>& found) {
+HWY_INLINE void search_faces(D d, const Strip<D>& s, LaneSearch<D>& found) {
   switch (s.count_max[1]) {
+    case 2:
+      return search_faces<2>(d, s, found);
     case 3:
-      return search_faces<3>(d, s, tie_bias, found);
+      return search_faces<3>(d, s, found);
     case 4:
-      return search_faces<4>(d, s, tie_bias, found);
+      return search_faces<4>(d, s, found);
     case 5:
-      return search_faces<5>(d, s, tie_bias, found);
+      return search_faces<5>(d, s, found);
     case 6:
-      return search_faces<6>(d, s, tie_bias, found);
+      return search_faces<6>(d, s, found);
     case 7:
-      return search_faces<7>(d, s, tie_bias, found);
+      return search_faces<7>(d, s, found);
     default:
-      return search_faces<kMaxVertices>(d, s, tie_bias, found);
+      return search_faces<kMaxVertices>(d, s, found);
   }
+}
+
+/// The lanes whose reference is B's face: it leads A's by more than the bias.
+template <class D>
+HWY_INLINE hn::Mask<D> reference_is_b(D d, const LaneSearch<D>& found, hn::TFromD<D> tie_bias) {
+  return hn::Gt(found.of[1], hn::Add(found.of[0], hn::Set(d, tie_bias)));
+}
+
+/// Fetches the reference. To carry it along while faces are compared takes as long where pairs
+/// touch, and is in vain where all are apart.
+template <class D>
+HWY_INLINE LaneFace<D> reference_face(const Strip<D>& s, const LaneSearch<D>& found,
+                                      hn::Mask<D> take_b) {
+  const DInt<D> di;
+  const auto face_b =
+      hn::IfThenElse(hn::RebindMask(di, take_b), found.face[1], hn::Set(di, -1));  // or none
+  const auto is_at = [&](hn::Vec<DInt<D>> face, int index)
+                         HWY_ATTR { return hn::RebindMask(D(), hn::Eq(face, hn::Set(di, index))); };
+  LaneFace<D> face{first_edge(s, 0), s.load2(s.corner(0, 0) + 2)};
+  for (int i = 1; i < s.count_max[0]; ++i) take(s, 0, i, is_at(found.face[0], i), face);
+  for (int j = 0; j < s.count_max[1]; ++j) take(s, 1, j, is_at(face_b, j), face);
+  return face;
 }
 
 /// The edge of each lane's incident polygon whose normal is most opposed, the first of equals;
@@ -145,12 +151,12 @@ HWY_INLINE LaneEdge<D> incident_edge(D d, const Strip<D>& s, hn::Mask<D> inciden
                                      const Lanes2<D>& normal, hn::Vec<D>& of_both) {
   auto least = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::infinity());
   LaneEdge<D> incident = first_edge(s, 0);  // until the first product, which is less than infinity
-  const auto consider_edges = [&](int first, int last, const auto& at, hn::Mask<D> among) {
+  const auto consider_edges = [&](int first, int last, const auto& at, const auto& among) {
     Lanes2<D> vertex = at(first, 0);
     for (int k = first; k < last; ++k) {
       const Lanes2<D> next = at(k + 1, 0);
       const auto product = dot(normal, at(k, 2));
-      const auto is_less = hn::And(among, hn::Lt(product, least));
+      const auto is_less = among(hn::Lt(product, least));
       least = hn::IfThenElse(is_less, product, least);
       incident = select<D>(is_less, {hn::Set(DInt<D>(), k), vertex, next}, incident);
       vertex = next;
@@ -163,11 +169,13 @@ HWY_INLINE LaneEdge<D> incident_edge(D d, const Strip<D>& s, hn::Mask<D> inciden
       [&](int k, int element) {
         return select<D>(incident_is_a, of(0, k, element), of(1, k, element));
       },
-      hn::Eq(normal.x, normal.x));
+      [](hn::Mask<D> less) { return less; });
   const int longer = s.count_max[0] > s.count_max[1] ? 0 : 1;
   consider_edges(
       both, s.count_max[longer], [&](int k, int element) { return of(longer, k, element); },
-      longer == 0 ? incident_is_a : hn::Not(incident_is_a));
+      [&](hn::Mask<D> less) {
+        return longer == 0 ? hn::And(less, incident_is_a) : hn::AndNot(incident_is_a, less);
+      });
   of_both = least;
   return incident;
 }

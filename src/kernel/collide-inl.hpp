@@ -27,18 +27,19 @@ struct LaneFeatures {
 };
 
 template <class D>
-HWY_INLINE LaneFeatures<D> choose_features(D d, const Strip<D>& s, const LaneSearch<D>& found) {
+HWY_INLINE LaneFeatures<D> choose_features(D d, const Strip<D>& s, hn::Mask<D> take_b,
+                                           const LaneFace<D>& reference) {
   const DInt<D> di;
-  const auto take_b_int = hn::RebindMask(di, found.take_b);
+  const auto take_b_int = hn::RebindMask(di, take_b);
   const auto count_a = s.count(0);
   const auto count_b = s.count(1);
   LaneFeatures<D> f;
-  f.take_b = found.take_b;
+  f.take_b = take_b;
   // One by one: g++ 12 copies structures of vectors in parts too small to be read back at once.
-  f.face = {found.reference.edge.index,
-            {found.reference.edge.first.x, found.reference.edge.first.y},
-            {found.reference.edge.second.x, found.reference.edge.second.y}};
-  f.normal = {found.reference.normal.x, found.reference.normal.y};
+  f.face = {reference.edge.index,
+            {reference.edge.first.x, reference.edge.first.y},
+            {reference.edge.second.x, reference.edge.second.y}};
+  f.normal = {reference.normal.x, reference.normal.y};
   f.incident = incident_edge(d, s, f.take_b, f.normal, f.product);
   f.face_second = next_corner(di, f.face.index, hn::IfThenElse(take_b_int, count_b, count_a));
   f.incident_second =
@@ -81,10 +82,12 @@ HWY_INLINE void clip_to_slab(D d, const LaneFeatures<D>& f, hn::Vec<D> total_rad
 
 /// The features of a pair without points: the reference face, and vertex 0 of the other polygon.
 template <class D>
-HWY_INLINE hn::Vec<DInt<D>> face_between(hn::Mask<D> is_b, hn::Vec<DInt<D>> index) {
+HWY_INLINE hn::Vec<DInt<D>> face_between(const LaneSearch<D>& found, hn::Mask<D> take_b) {
   const DInt<D> di;
-  const auto of_a = feature_bytes(di, kFace, index, 0, hn::Zero(di));
-  return hn::IfThenElse(hn::RebindMask(di, is_b), halves_swapped(of_a), of_a);
+  const auto is_b = hn::RebindMask(di, take_b);
+  const auto face = hn::IfThenElse(is_b, found.face[1], found.face[0]);
+  const auto of_a = feature_bytes(di, kFace, face, 0, hn::Zero(di));
+  return hn::IfThenElse(is_b, halves_swapped(of_a), of_a);
 }
 
 /// A strip's manifolds, as a `ManifoldBlock` holds them.
@@ -147,8 +150,8 @@ HWY_INLINE hn::Vec<D> reach_of_both(D d, const Strip<D>& s) {
 /// The lanes whose manifold misses the overlap (`clipping::misses_deepest`).
 template <class D>
 HWY_INLINE hn::Mask<D> misses_deepest(D d, const Strip<D>& s, const LaneManifolds<D>& m,
-                                      const LaneSearch<D>& found, hn::Vec<D> total_radius,
-                                      hn::Mask<D> among) {
+                                      const LaneSearch<D>& found, hn::Mask<D> take_b,
+                                      hn::Vec<D> total_radius, hn::Mask<D> among) {
   using T = hn::TFromD<D>;
   const DInt<D> di;
   const auto has = [&](int count) {
@@ -156,8 +159,8 @@ HWY_INLINE hn::Mask<D> misses_deepest(D d, const Strip<D>& s, const LaneManifold
   };
   auto deepest = hn::IfThenElse(has(1), m.depth[0], total_radius);
   deepest = hn::IfThenElse(has(2), hn::Max(m.depth[1], deepest), deepest);
-  const auto separation = hn::IfThenElse(found.take_b, found.of_b, found.of_a);
-  const auto greatest = hn::Max(found.of_a, found.of_b);
+  const auto separation = hn::IfThenElse(take_b, found.of[1], found.of[0]);
+  const auto greatest = hn::Max(found.of[0], found.of[1]);
   const auto missing = hn::Sub(hn::Sub(total_radius, separation), deepest);
   const auto overlap = hn::Neg(greatest);
   const auto might = hn::And(among, hn::Gt(hn::Min(overlap, missing), hn::Zero(d)));
@@ -211,17 +214,19 @@ HWY_INLINE void collide_placed(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   const DInt<D> di;
   const auto total_radius = s.load(s.rows[kTotalRadius]);
   LaneSearch<D> found;
-  search_faces(d, s, tie_bias, found);
-  const auto separated = hn::Or(hn::Gt(found.of_a, total_radius), hn::Gt(found.of_b, total_radius));
-  const auto gap = hn::Sub(hn::Max(found.of_a, found.of_b), total_radius);
-  const auto between = face_between<D>(found.take_b, found.reference.edge.index);
+  search_faces(d, s, found);
+  const auto separated =
+      hn::Or(hn::Gt(found.of[0], total_radius), hn::Gt(found.of[1], total_radius));
+  const auto gap = hn::Sub(hn::Max(found.of[0], found.of[1]), total_radius);
+  const auto take_b = reference_is_b(d, found, tie_bias);
+  const auto between = face_between(found, take_b);
   if (hn::AllTrue(d, separated)) {
     hn::Store(hn::Zero(di), di, out.count.column + s.column);
     hn::Store(hn::Neg(gap), d, out.depth[0].column + s.column);
     hn::Store(between, di, out.features[0].column + s.column);
     return;
   }
-  const LaneFeatures<D> features = choose_features(d, s, found);
+  const LaneFeatures<D> features = choose_features(d, s, take_b, reference_face(s, found, take_b));
   const auto touching = hn::Not(separated);
   auto kept = touching;
   ClipEnds<D> edge[2];
@@ -232,7 +237,7 @@ HWY_INLINE void collide_placed(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   m.features[0] = hn::IfThenElse(hn::RebindMask(di, empty), between, m.features[0]);
   store(d, m, s.column, out);
   const auto among = tie_bias > 0 ? hn::And(touching, empty) : touching;
-  const auto needs = misses_deepest(d, s, m, found, total_radius, among);
+  const auto needs = misses_deepest(d, s, m, found, take_b, total_radius, among);
   if (HWY_UNLIKELY(!hn::AllFalse(d, needs))) put_deepest_contacts(d, s, needs, out);
 }
 

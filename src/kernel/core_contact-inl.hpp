@@ -156,21 +156,18 @@ HWY_INLINE void nearest_contact(D d, const Strip<D>& s, const LaneNearest<D>& ne
 /// Cores that overlap have their faces clipped (`clipping::contact_of_faces`, then
 /// `overlapping_contact`); `is_unsure` becomes the lanes whose clip misses the overlap.
 template <class D>
-HWY_INLINE void overlapping_contact(D d, const Strip<D>& s, const CoreFaces<D>& faces,
+HWY_INLINE void overlapping_contact(D d, const Strip<D>& s, const LaneSearch<D>& found,
                                     const LaneCorner<D> (&corner)[2], hn::TFromD<D> tie_bias,
                                     hn::Vec<D> total_radius, hn::Mask<D> among, LaneManifolds<D>& m,
                                     hn::Mask<D>& is_unsure) {
   const DInt<D> di;
-  LaneSearch<D> found;
-  found.of_a = faces.of[0];
-  found.of_b = faces.of[1];
-  found.take_b = hn::Gt(found.of_b, hn::Add(found.of_a, hn::Set(d, tie_bias)));
-  found.reference.normal = select<D>(found.take_b, corner[1].normal, corner[0].normal);
-  found.reference.edge = {
-      hn::IfThenElse(hn::RebindMask(di, found.take_b), corner[1].index, corner[0].index),
-      select<D>(found.take_b, corner[1].vertex, corner[0].vertex),
-      select<D>(found.take_b, corner[1].after, corner[0].after)};
-  const LaneFeatures<D> f = choose_features(d, s, found);
+  const auto take_b = reference_is_b(d, found, tie_bias);
+  const LaneFace<D> reference{
+      {hn::IfThenElse(hn::RebindMask(di, take_b), corner[1].index, corner[0].index),
+       select<D>(take_b, corner[1].vertex, corner[0].vertex),
+       select<D>(take_b, corner[1].after, corner[0].after)},
+      select<D>(take_b, corner[1].normal, corner[0].normal)};
+  const LaneFeatures<D> f = choose_features(d, s, take_b, reference);
   auto kept = among;
   ClipEnds<D> edge[2];
   clip_to_slab(d, f, hn::Zero(d), edge, kept);
@@ -180,8 +177,8 @@ HWY_INLINE void overlapping_contact(D d, const Strip<D>& s, const CoreFaces<D>& 
   // An edge of the incident polygon that faces away gives no second point.
   const auto faces_away = hn::Gt(f.product, hn::Zero(d));
   is_unsure = hn::And(
-      among, hn::Or(hn::Or(empty, faces_away),
-                    misses_deepest(d, s, m, found, total_radius, hn::And(among, may_miss))));
+      among, hn::Or(hn::Or(empty, faces_away), misses_deepest(d, s, m, found, take_b, total_radius,
+                                                              hn::And(among, may_miss))));
   put_on_surface(s, f.take_b, m);
 }
 
@@ -208,8 +205,8 @@ HWY_INLINE void collide_cores(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   const auto total_radius = s.load(s.rows[kTotalRadius]);
   const auto roundoff =
       hn::Mul(hn::Set(d, 2 * std::numeric_limits<T>::epsilon()), reach_of_both(d, s));
-  CoreFaces<D> found;
-  find_faces(d, s, found);
+  LaneSearch<D> found;
+  search_faces(d, s, found);
   LaneCorner<D> corner[2];
   BeforeFace<D> seen[2];
   for (const int p : {0, 1}) {
@@ -230,9 +227,7 @@ HWY_INLINE void collide_cores(D d, const Strip<D>& s, hn::TFromD<D> tie_bias,
   LaneNearest<D> nearest;
   find_nearest(d, s, found, corner, seen, roundoff, hn::Not(is_deep), nearest);
   const auto gap = hn::Min(hn::Sub(total_radius, nearest.distance), hn::Zero(d));
-  const auto b_leads = hn::Gt(found.of[1], found.of[0]);
-  const auto between = face_between<D>(
-      b_leads, hn::IfThenElse(hn::RebindMask(di, b_leads), found.face[1], found.face[0]));
+  const auto between = face_between(found, hn::Gt(found.of[1], found.of[0]));
   if (hn::AllFalse(d, touching)) {
     hn::Store(hn::Zero(di), di, out.count.column + s.column);
     hn::Store(gap, d, out.depth[0].column + s.column);

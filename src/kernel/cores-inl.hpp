@@ -14,51 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {
 
-/// The face of greatest separation of each polygon, the first of equals.
-template <class D>
-struct CoreFaces {
-  hn::Vec<D> of[2];
-  hn::Vec<DInt<D>> face[2];
-};
-
-template <int kCountB, class D>
-HWY_INLINE void find_faces(D d, const Strip<D>& s, CoreFaces<D>& found) {
-  const DInt<D> di;
-  const auto consider = [&](int p, int k, hn::Vec<D> separation) {
-    const auto is_greater = hn::Gt(separation, found.of[p]);
-    found.of[p] = hn::IfThenElse(is_greater, separation, found.of[p]);
-    found.face[p] = hn::IfThenElse(hn::RebindMask(di, is_greater), hn::Set(di, k), found.face[p]);
-  };
-  found.of[0] = hn::Set(d, -std::numeric_limits<hn::TFromD<D>>::infinity());
-  found.face[0] = found.face[1] = hn::Zero(di);
-  hn::Vec<D> of_face_b[kCountB];
-  separate_faces<kCountB>(
-      d, s, [&](int i, hn::Vec<D> separation) { consider(0, i, separation); }, of_face_b);
-  found.of[1] = of_face_b[0];
-  HWY_UNROLL(kMaxVertices)
-  for (int j = 1; j < kCountB; ++j) consider(1, j, of_face_b[j]);
-}
-
-template <class D>
-HWY_INLINE void find_faces(D d, const Strip<D>& s, CoreFaces<D>& found) {
-  switch (s.count_max[1]) {
-    case 2:
-      return find_faces<2>(d, s, found);
-    case 3:
-      return find_faces<3>(d, s, found);
-    case 4:
-      return find_faces<4>(d, s, found);
-    case 5:
-      return find_faces<5>(d, s, found);
-    case 6:
-      return find_faces<6>(d, s, found);
-    case 7:
-      return find_faces<7>(d, s, found);
-    default:
-      return find_faces<kMaxVertices>(d, s, found);
-  }
-}
-
 /// The other polygon's vertices, as seen from a face.
 template <class D>
 struct BeforeFace {
@@ -169,7 +124,7 @@ HWY_INLINE void take_face(int polygon, hn::Mask<D> where, const LaneCorner<D>& f
 /// `faces` are where the faces of greatest separation begin; lanes that do not `matter` may be
 /// anything.
 template <class D>
-HWY_INLINE void find_nearest(D d, const Strip<D>& s, const CoreFaces<D>& found,
+HWY_INLINE void find_nearest(D d, const Strip<D>& s, const LaneSearch<D>& found,
                              const LaneCorner<D> (&faces)[2], const BeforeFace<D> (&seen)[2],
                              hn::Vec<D> roundoff, hn::Mask<D> matter, LaneNearest<D>& nearest) {
   using VI = hn::Vec<DInt<D>>;

@@ -147,20 +147,30 @@ Bodies<Scalar> bodies_of(std::span<const PairCase> pairs) {
   return held;
 }
 
+/// With the manifolds that the same pass left before, or none.
 template <class Scalar>
-Pass indices_pass(std::span<const PairCase> pairs) {
+Pass indices_pass(std::span<const PairCase> pairs, bool hinted) {
   const auto held = std::make_shared<const Bodies<Scalar>>(bodies_of<Scalar>(pairs));
   const auto out = std::make_shared<std::vector<Manifold<Scalar>>>(pairs.size());
-  return [held, out] {
-    kernel::collide_pairs(held->shapes, held->bodies, held->pairs, Scalar{0}, *out);
+  return [held, out, hinted] {
+    const auto& [shapes, bodies, each] = *held;
+    if (hinted) {
+      kernel::collide_pairs_again(shapes, bodies, each, Scalar{0}, *out);
+    } else {
+      kernel::collide_pairs(shapes, bodies, each, Scalar{0}, *out);
+    }
   };
 }
 
+/// In the order of their groups, and those that touch behind the others, or mixed with them.
 template <class Scalar>
-Pass packed_pass(std::span<const PairCase> pairs) {
+Pass packed_pass(std::span<const PairCase> pairs, bool hinted) {
   Bodies<Scalar> held = bodies_of<Scalar>(pairs);
+  std::vector<Manifold<Scalar>> known(pairs.size());
+  if (hinted) kernel::collide_pairs(held.shapes, held.bodies, held.pairs, Scalar{0}, known);
   std::ranges::stable_sort(held.pairs, {}, [&](const kernel::BodyPair& pair) {
-    return held.shapes.group(held.bodies[pair.a].shape, held.bodies[pair.b].shape);
+    return std::pair(known[pair.a / 2].count > 0,
+                     held.shapes.group(held.bodies[pair.a].shape, held.bodies[pair.b].shape));
   });
   const auto packed =
       std::make_shared<const kernel::PackedPairs<Scalar>>(held.shapes, held.bodies, held.pairs);
@@ -223,13 +233,18 @@ void add_pair_queries(std::vector<BenchSubject>& all, const std::string& target)
 template <class Scalar>
 void add_batch_inputs(std::vector<BenchSubject>& all, const std::string& name,
                       const std::string& target, Collider (*make)(double)) {
-  const auto add = [&](const char* input, Pass (*pass)(std::span<const PairCase>)) {
-    const auto collider = [make] { return make(0); };
-    all.push_back(
-        {.name = name, .input = input, .target = target, .prepare = pass, .collider = collider});
-  };
-  add("packed", packed_pass<Scalar>);
-  add("indices", indices_pass<Scalar>);
+  for (const bool hinted : {false, true}) {
+    const auto add = [&](const char* input, Pass (*pass)(std::span<const PairCase>, bool)) {
+      all.push_back(
+          {.name = hinted ? name + "+hint" : name,
+           .input = input,
+           .target = target,
+           .prepare = [=](std::span<const PairCase> pairs) { return pass(pairs, hinted); },
+           .collider = [make] { return make(0); }});
+    };
+    add("packed", packed_pass<Scalar>);
+    add("indices", indices_pass<Scalar>);
+  }
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ int main() {
     for (const int body : {1, 2}) bodies[body].pose.position.y() -= 0.0625F;
     const auto b_in_a = relative_pose(bodies[0].pose, bodies[1].pose);
     if (!kernel::touches(rows, rows, b_in_a, &hint)) ++steps_apart;
-    kernel::collide_pairs(shapes, bodies, pairs, 0, manifolds);
+    kernel::collide_pairs_again(shapes, bodies, pairs, 0, manifolds);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const Manifold<float>& m = manifolds[i];  // in A's frame
       float depth = 0;

@@ -6,64 +6,15 @@
 #include <catch2/catch.hpp>
 
 #include "clipping/collide.hpp"
-#include "generating/regime.hpp"
-#include "kernel/pair_stream.hpp"
-#include "own_colliders/own_colliders.hpp"
 #include "unit/kernel/every_target.hpp"
+#include "unit/kernel/pairs_scene.hpp"
 
 // The kernels against the clean code, bit for bit, on every instruction set that this machine has.
 
 using namespace manifuzz;
-using manifuzz::test::on_every_target;
+using namespace manifuzz::test;
 
 namespace {
-
-constexpr std::size_t kPairs = 1003;  // no whole number of blocks
-
-/// Pairs as an engine holds them, and what the clean code makes of each.
-template <class Scalar>
-struct Scene {
-  std::vector<ConvexPolygon<Scalar>> polygons;
-  kernel::Shapes<Scalar> shapes;
-  std::vector<kernel::Placement<Scalar>> bodies;
-  std::vector<kernel::BodyPair> pairs;
-  std::vector<Manifold<Scalar>> expected;
-
-  void add(const ConvexPolygon<Scalar>& polygon, const Pose<Scalar>& pose) {
-    polygons.push_back(polygon);
-    bodies.push_back({shapes.add(polygon), pose});
-  }
-
-  void expect(Scalar tie_bias) {
-    expected.clear();
-    for (const auto& [a, b] : pairs) {
-      expected.push_back(clipping::collide(
-          polygons[a], polygons[b], relative_pose(bodies[a].pose, bodies[b].pose), tie_bias));
-    }
-  }
-};
-
-/// Pairs of these regimes in turn.
-template <class Scalar>
-Scene<Scalar> scene_of(std::span<const Regime> regimes) {
-  Scene<Scalar> scene;
-  for (std::uint32_t i = 0; i < kPairs; ++i) {
-    const auto placed = clipping::placed_pair<Scalar>(generate(5, regimes[i % regimes.size()], i));
-    scene.add(placed.a, placed.pose_a);
-    scene.add(placed.b, placed.pose_b);
-    scene.pairs.push_back({2 * i, 2 * i + 1});
-  }
-  return scene;
-}
-
-template <class Scalar>
-std::size_t wrong_from_indices(const Scene<Scalar>& scene, Scalar tie_bias) {
-  std::vector<Manifold<Scalar>> manifolds(scene.pairs.size());
-  kernel::collide_pairs(scene.shapes, scene.bodies, scene.pairs, tie_bias, manifolds);
-  std::size_t wrong = 0;
-  for (std::size_t i = 0; i < manifolds.size(); ++i) wrong += manifolds[i] != scene.expected[i];
-  return wrong;
-}
 
 template <class Scalar>
 std::size_t wrong_packed(const Scene<Scalar>& scene, Scalar tie_bias) {
@@ -76,11 +27,6 @@ std::size_t wrong_packed(const Scene<Scalar>& scene, Scalar tie_bias) {
     wrong += kernel::manifold(blocks[i / kernel::kBlockPairs], column) != scene.expected[i];
   }
   return wrong;
-}
-
-template <class Scalar>
-Scene<Scalar> scene_of(const Regime& regime) {
-  return scene_of<Scalar>(std::span(&regime, 1));
 }
 
 template <class Scalar>
@@ -234,32 +180,6 @@ TEST_CASE("where separations overflow, face 0 stands in, as in the clean code") 
   });
 }
 
-namespace {
-
-/// Every pair's A, B or both are given the first one's shape.
-template <class Scalar>
-void check_shared(const std::vector<int>& sides) {
-  Scene<Scalar> scene = scene_of<Scalar>(*find_regime("generic"));
-  for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
-    for (const int side : sides) {
-      scene.polygons[2 * i + side] = scene.polygons[side];
-      scene.bodies[2 * i + side].shape = scene.bodies[side].shape;
-    }
-  }
-  scene.expect(0);
-  on_every_target([&] { CHECK(wrong_from_indices(scene, Scalar{0}) == 0); });
-}
-
-}  // namespace
-
-TEST_CASE("pairs that share a shape on either side are answered as others") {
-  for (const auto& sides : std::vector<std::vector<int>>{{0}, {1}, {0, 1}}) {
-    INFO("sides from " << sides.front() << " to " << sides.back());
-    check_shared<float>(sides);
-    check_shared<double>(sides);
-  }
-}
-
 TEST_CASE("any number of pairs, of any bodies, is answered in order") {
   Scene<float> scene = scene_of<float>(*find_regime("generic"));
   const auto all = scene.pairs;
@@ -273,23 +193,4 @@ TEST_CASE("any number of pairs, of any bodies, is answered in order") {
       CHECK(wrong_packed(scene, 0.0F) == 0);
     });
   }
-}
-
-TEST_CASE("pairs are answered as they are pushed, a few or many before each finish") {
-  Scene<float> scene = scene_of<float>(*find_regime("generic"));
-  scene.expect(0);
-  on_every_target([&] {
-    kernel::PairStream<float> stream(scene.shapes, scene.bodies, 0.0F);
-    std::size_t next = 0;
-    std::size_t wrong = 0;
-    for (const std::size_t count : {0, 1, 0, 5, 400, 597}) {
-      std::vector<Manifold<float>> manifolds(count);
-      for (std::size_t i = 0; i < count; ++i) stream.push(scene.pairs[next + i], manifolds[i]);
-      stream.finish();
-      for (std::size_t i = 0; i < count; ++i) wrong += manifolds[i] != scene.expected[next + i];
-      next += count;
-    }
-    CHECK(next == scene.pairs.size());
-    CHECK(wrong == 0);
-  });
 }
