@@ -92,6 +92,16 @@ void awaken(scene::Threads& pool, std::size_t threads) {
   });
 }
 
+/// Whose turn it is, since whoever steps finds the caches as the one before has left them: in `count`
+/// steps each of so many has each turn once and follows each other once, or in twice as many each
+/// other twice, where they are odd (E. J. Williams, Australian Journal of Scientific Research, 1949).
+std::size_t whose_turn(std::size_t step, std::size_t turn, std::size_t count) {
+  const bool is_reversed = count % 2 == 1 && step / count % 2 == 1;
+  const std::size_t at = is_reversed ? count - 1 - turn : turn;
+  const std::size_t beside = at % 2 == 1 ? at / 2 + 1 : count - at / 2;
+  return (step + beside) % count;
+}
+
 /// A scene and all that it is held against.
 class Contest {
  public:
@@ -117,7 +127,7 @@ class Contest {
   }
   Contest& operator=(Contest&&) = delete;  // neither moved nor copied
 
-  /// One step of all; who begins changes by step.
+  /// One step of all.
   void step(Moves moves, std::size_t step) {
     std::vector<Contender*> all{&by_ours_, &by_all_, &by_moved_, &by_afresh_};
     if (by_alone_) all.push_back(&*by_alone_);
@@ -126,7 +136,7 @@ class Contest {
       if (one->prepare) one->prepare(moves);
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
-      Contender& one = *all[(step + i) % all.size()];
+      Contender& one = *all[whose_turn(step, i, all.size())];
       if (one.awaken) one.awaken();
       one.ns.push_back(one.step(moves));
     }
