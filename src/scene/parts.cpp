@@ -121,14 +121,20 @@ BodyHandle Scene::handle(const PartName& name) const {
   return assembly == assemblies_.end() ? name.body : assembly->second.parts[name.part].handle;
 }
 
-/// The first of all, whatever task finds it.
-std::optional<RefusedMove> Scene::find_refused(std::span<const Move> moves) const {
-  std::array<std::optional<RefusedMove>, kTasks> refused;
+/// The first of all that is refused, whatever task finds it.
+CheckedMoves Scene::check(std::span<const Move> moves) const {
+  std::array<CheckedMoves, kTasks> checked;
   division_.divide(moves.size(), [&](const Share& share, std::size_t task) {
-    refused[task] = find_refused(moves, share);
+    const std::size_t before = std::max<std::size_t>(share.first, 1) - 1;
+    checked[task] = {find_refused(moves, share),
+                     do_ascend(moves.subspan(before, share.last - before))};
   });
-  const auto first = std::ranges::find_if(refused, [](const auto& r) { return r.has_value(); });
-  return first == refused.end() ? std::nullopt : *first;
+  CheckedMoves all;
+  for (const auto& [refused, ascend] : checked) {
+    if (!all.refused) all.refused = refused;
+    all.ascend = all.ascend && ascend;
+  }
+  return all;
 }
 
 std::optional<RefusedMove> Scene::find_refused(std::span<const Move> moves,

@@ -2,6 +2,7 @@
 #define HWY_TARGET_INCLUDE "scene/placing.cpp"
 #include <hwy/foreach_target.h>  // includes this file once more for every other target
 // after foreach_target
+#include <algorithm>
 #include <cstddef>
 #include <hwy/highway.h>
 
@@ -232,6 +233,11 @@ HWY_EXPORT(place_moves);
 
 bool are_sound(std::span<const Move> moves, std::span<const std::uint32_t> generations) {
   return HWY_DYNAMIC_DISPATCH(are_sound)(moves, generations);
+}
+
+bool do_ascend(std::span<const Move> moves) {
+  const auto place_of = [](const Move& move) { return move.body.index; };
+  return std::ranges::adjacent_find(moves, std::ranges::greater_equal{}, place_of) == moves.end();
 }
 
 PlacedCounts place_moves(std::span<const Move> moves, const Placing& placing) {

@@ -38,6 +38,9 @@ struct PlacedCounts {
 /// place, is odd.
 bool are_sound(std::span<const Move> moves, std::span<const std::uint32_t> generations);
 
+/// Whether each move is of a body of higher index than the one before.
+bool do_ascend(std::span<const Move> moves);
+
 /// Puts bodies, which must be there, where they are now, move by move.
 PlacedCounts place_moves(std::span<const Move> moves, const Placing& placing);
 

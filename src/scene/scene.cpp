@@ -123,21 +123,23 @@ void Scene::forget_removed() {
 }
 
 /// In tasks where no two moves are of one body, as ascending ones are not.
-void Scene::place(std::span<const Move> moves) {
+void Scene::place(std::span<const Move> moves, bool ascend) {
   forget_removed();
   started_ = movers_.size();
-  const auto place_of = [](const Move& move) { return move.body.index; };
-  const bool may_divide =
-      division_.tasks_for(moves.size()) > 1 &&
-      std::ranges::adjacent_find(moves, std::ranges::greater_equal{}, place_of) == moves.end();
-  if (!may_divide) return place(moves, movers_, unsure_);
+  if (!ascend || division_.tasks_for(moves.size()) == 1) {
+    place(moves, movers_, unsure_);
+    return count_movers(movers_.size());
+  }
   mover_works_.resize(kTasks);
   division_.divide(moves.size(), kTasks, [&](const Share& share, std::size_t task) {
     auto& [moved, unsure] = mover_works_[task];
     place(moves.subspan(share.first, share.last - share.first), moved, unsure);
   });
+  std::size_t count = movers_.size();
+  for (const MoverWork& work : mover_works_) count += work.moved.size();
+  count_movers(count);
   for (auto& [moved, unsure] : mover_works_) {
-    append(movers_, moved);
+    if (few_moved_) append(movers_, moved);  // of many, nobody asks who they are
     append(unsure_, unsure);
     clear_for(moved, body_count_);
     clear_for(unsure, body_count_);

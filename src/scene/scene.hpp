@@ -125,10 +125,10 @@ class Scene {
   void refilter(std::uint32_t body);
   template <class Act>
   void for_each_part(BodyHandle body, const Act& act) const;
-  void advance(std::span<const Move> moves);
+  void advance(std::span<const Move> moves, bool ascend);
   void forget_pairs();
   void recall_bodies();
-  std::optional<RefusedMove> find_refused(std::span<const Move> moves) const;
+  CheckedMoves check(std::span<const Move> moves) const;
   std::optional<RefusedMove> find_refused(std::span<const Move> moves, const Share& share) const;
   std::span<const Move> moves_of_parts(std::span<const Move> moves);
   bool may_touch(std::uint32_t a, std::uint32_t b) const {
@@ -151,10 +151,10 @@ class Scene {
 
   void start_path(std::uint32_t body);
   void forget_removed();
-  void place(std::span<const Move> moves);
+  void place(std::span<const Move> moves, bool ascend);
   void place(std::span<const Move> moves, std::vector<std::uint32_t>& moved,
              std::vector<Mover>& unsure);
-  bool few_moved() const;
+  void count_movers(std::size_t movers);
   /// One of those that may have left their fattened boxes.
   Mover unsure(std::size_t i) const {
     if (i >= started_) return unsure_[i - started_];
@@ -253,7 +253,7 @@ class Scene {
 
   // What only the step under way needs.
   std::vector<Move> part_moves_;
-  std::vector<std::uint32_t> movers_;  // bodies that moved
+  std::vector<std::uint32_t> movers_;  // bodies that moved, all of them where few did
   std::size_t started_ = 0;            // the first so many: they began new paths before the moves
   std::vector<Mover> unsure_;          // others that may have left their fattened boxes
   bool few_moved_ = false;

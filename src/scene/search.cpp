@@ -56,8 +56,6 @@ Box fattened(const Box& box, const Vector2<float>& motion, float extent, const F
 
 /// Bodies that left their fattened boxes get new ones.
 void Scene::renew_boxes() {
-  counts_.moved = movers_.size();
-  few_moved_ = few_moved();
   all_are_boxed_ = !few_moved_ && (division_.has_executor() || 2 * compared_ > body_count_);
   if (all_are_boxed_) draw_all_boxes();
   find_leavers();
@@ -65,12 +63,13 @@ void Scene::renew_boxes() {
   part_from_partners();
 }
 
-/// Then only their pairs are looked at. Each is found by going along a row, and rows are long where
-/// one body lies under all.
-bool Scene::few_moved() const {
+/// Where few moved, only their pairs are looked at. Each is found by going along a row, and rows
+/// are long where one body lies under all.
+void Scene::count_movers(std::size_t movers) {
   constexpr std::size_t kShare = 16;
-  return kShare * movers_.size() < body_count_ &&
-         movers_.size() * candidates_.longest_row() < body_count_ + candidates_.size();
+  counts_.moved = movers;
+  few_moved_ = kShare * movers < body_count_ &&
+               movers * candidates_.longest_row() < body_count_ + candidates_.size();
 }
 
 /// Each task looks at its share of the unsure ones; those that left are listed in their order.

@@ -9,13 +9,13 @@ namespace manifuzz::scene {
 std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
                                                   const Executor& executor) {
   division_.set_executor(executor);
-  const auto refused = find_refused(moves);
+  const auto [refused, ascend] = check(moves);
   if (refused) {
     division_.forget_executor();
     return *refused;
   }
   try {
-    advance(moves);
+    advance(moves, ascend);
   } catch (...) {
     forget_pairs();
     throw;
@@ -24,13 +24,14 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
   return result();
 }
 
-void Scene::advance(std::span<const Move> moves) {
+void Scene::advance(std::span<const Move> moves, bool ascend) {
   if (has_forgotten_) recall_bodies();
   began_.clear();
   ended_.erase(ended_.begin(), ended_.begin() + std::exchange(ended_reported_, 0));
   renumbered_.erase(renumbered_.begin(),
                     renumbered_.begin() + std::exchange(renumbered_reported_, 0));
-  place(moves_of_parts(moves));
+  const std::span<const Move> of_parts = moves_of_parts(moves);
+  place(of_parts, assemblies_.empty() ? ascend : do_ascend(of_parts));
   renew_boxes();
   look_at_candidates();
   begin_contacts();

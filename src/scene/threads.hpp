@@ -10,12 +10,19 @@
 
 namespace manifuzz::scene {
 
-/// An executor on threads of its own, which sleep where calls are far between: give `std::ref` of
-/// one to `Scene::step`. One call at a time. Tasks must not throw.
+/// What threads do between calls that are far between.
+enum class Idle : std::uint8_t {
+  sleep,  ///< others have their cores, and to wake them takes time
+  spin    ///< they look for the next call, and keep their cores
+};
+
+/// An executor on threads of its own: give `std::ref` of one to `Scene::step`. One call at a time.
+/// Tasks must not throw.
 class Threads {
  public:
   /// So many threads run tasks, the one that calls among them. Throws std::system_error.
-  explicit Threads(std::size_t count) : shares_(std::max<std::size_t>(count, 1)) {
+  explicit Threads(std::size_t count, Idle idle = Idle::sleep)
+      : idle_(idle), shares_(std::max<std::size_t>(count, 1)) {
     try {
       for (std::size_t i = 1; i < count; ++i) threads_.emplace_back([this, i] { serve(i); });
     } catch (...) {  // the system has no more of them
@@ -77,8 +84,12 @@ class Threads {
   }
   /// Until it has another value; what comes soon is not slept for, which takes longer than a task.
   template <class T>
-  static void await(const std::atomic<T>& value, T old) {
+  void await(const std::atomic<T>& value, T old) const {
     for (int i = 0; i < kLooks && value == old; ++i) {
+    }
+    if (idle_ == Idle::spin) {
+      while (value == old) std::this_thread::yield();
+      return;
     }
     for (int i = 0; i < kYields && value == old; ++i) std::this_thread::yield();
     value.wait(old);
@@ -93,6 +104,7 @@ class Threads {
     std::size_t end = 0;                ///< behind the last one
   };
 
+  Idle idle_;
   std::vector<OwnTasks> shares_;  // one a thread, that of the caller first
   std::vector<std::thread> threads_;
   std::atomic<std::uint32_t> calls_ = 0;

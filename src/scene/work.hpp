@@ -70,6 +70,12 @@ struct PairWork {
   }
 };
 
+/// What moves are found to be before any is made.
+struct CheckedMoves {
+  std::optional<RefusedMove> refused;  ///< the first that is
+  bool ascend = true;                  ///< `do_ascend`
+};
+
 /// What comes of the moves of some bodies.
 struct MoverWork {
   std::vector<std::uint32_t> moved;  ///< bodies that moved

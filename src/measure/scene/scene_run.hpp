@@ -162,14 +162,15 @@ struct SceneRun {
   BaselineRun over_all;       ///< Box2D's, on every pair
   BaselineRun over_afresh;    ///< `scene::Afresh`
   std::vector<BaselineRun> over_worlds;
-  double speedup_over_moved = 0;  ///< the median of the steps' ratios
-  double speedup_over_alone = 1;  ///< over one thread, likewise
-  double afresh_over_all = 0;     ///< how many times as fast as Box2D that is, likewise
-  scene::StepCounts counts;       ///< sums over the steps
-  std::size_t contacts = 0;       ///< after the last step
-  std::size_t pairs = 0;          ///< candidates after the last step
-  scene::Memory memory;           ///< after the last step
-  AfreshCheck afresh;             ///< of no step where contacts are recycled
+  double speedup_over_moved = 0;       ///< the median of the steps' ratios
+  double speedup_over_alone = 1;       ///< over one thread, likewise
+  double warm_speedup_over_alone = 1;  ///< likewise, where no baseline steps between
+  double afresh_over_all = 0;          ///< how many times as fast as Box2D that is, likewise
+  scene::StepCounts counts;            ///< sums over the steps
+  std::size_t contacts = 0;            ///< after the last step
+  std::size_t pairs = 0;               ///< candidates after the last step
+  scene::Memory memory;                ///< after the last step
+  AfreshCheck afresh;                  ///< of no step where contacts are recycled
 };
 
 /// The first step, in which everything is new, is not counted.

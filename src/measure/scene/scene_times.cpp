@@ -1,7 +1,5 @@
-#include <atomic>
 #include <chrono>
 #include <deque>
-#include <thread>
 
 #include "engines/asked_engines.hpp"
 #include "external/timed_world.hpp"
@@ -24,7 +22,6 @@ double ns_of(const Work& work) {
 struct Contender {
   std::function<double(Moves)> step;             ///< gives what it took, ns
   std::function<void(Moves)> prepare = nullptr;  ///< before any of them steps, not timed
-  std::function<void()> awaken = nullptr;        ///< right before it steps, not timed
   std::vector<double> ns{};
 };
 
@@ -82,19 +79,10 @@ Contender contender(WorldPlayer& player) {
           .prepare = [&player](Moves moves) { player.prepare(moves); }};
 }
 
-/// Until all threads are at work: they sleep while others step, for longer than a game's do, and it
-/// takes a virtual machine a good part of a step to wake one.
-void awaken(scene::Threads& pool, std::size_t threads) {
-  std::atomic<std::size_t> begun = 0;
-  pool(threads, [&](std::size_t) {
-    ++begun;
-    while (begun < threads) std::this_thread::yield();
-  });
-}
-
-/// Whose turn it is, since whoever steps finds the caches as the one before has left them: in `count`
-/// steps each of so many has each turn once and follows each other once, or in twice as many each
-/// other twice, where they are odd (E. J. Williams, Australian Journal of Scientific Research, 1949).
+/// Whose turn it is, since whoever steps finds the caches as the one before has left them: in
+/// `count` steps each of so many has each turn once and follows each other once, or in twice as
+/// many each other twice, where they are odd (E. J. Williams, Australian Journal of Scientific
+/// Research, 1949).
 std::size_t whose_turn(std::size_t step, std::size_t turn, std::size_t count) {
   const bool is_reversed = count % 2 == 1 && step / count % 2 == 1;
   const std::size_t at = is_reversed ? count - 1 - turn : turn;
@@ -102,11 +90,39 @@ std::size_t whose_turn(std::size_t step, std::size_t turn, std::size_t count) {
   return (step + beside) % count;
 }
 
-/// A scene and all that it is held against.
+/// One step of all, in the order of their turns.
+void take_turns(std::span<Contender* const> all, Moves moves, std::size_t step) {
+  for (Contender* const one : all) {
+    if (one->prepare) one->prepare(moves);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Contender& one = *all[whose_turn(step, i, all.size())];
+    one.ns.push_back(one.step(moves));
+  }
+}
+
+/// How many times as fast so many threads are as one where nobody else steps: what both need stays
+/// in the caches that cores share.
+double warm_speedup(const Trajectory& trajectory, const scene::Settings& settings,
+                    std::size_t threads) {
+  scene::Threads pool(threads, scene::Idle::spin);
+  ScenePlayer together(trajectory, settings, std::ref(pool));
+  ScenePlayer alone(trajectory, settings);
+  Contender by_threads = contender(together);
+  Contender by_one = contender(alone);
+  Contender* const both[] = {&by_threads, &by_one};
+  for (std::size_t step = 0; step < trajectory.steps.size(); ++step) {
+    take_turns(both, trajectory.steps[step], step);
+  }
+  return speedup(by_threads, by_one);
+}
+
+/// A scene and all that it is held against. Its threads do not sleep while others step: to wake one
+/// takes a virtual machine a good part of a step, and its core's caches are no longer its own then.
 class Contest {
  public:
   Contest(const Trajectory& trajectory, const scene::Settings& settings, std::size_t threads)
-      : pool_(threads),
+      : pool_(threads, scene::Idle::spin),
         ours_(trajectory, settings,
               threads > 1 ? scene::Executor(std::ref(pool_)) : scene::Executor()),
         all_(scene_engine().scenes.pairs(trajectory.bodies())),
@@ -117,7 +133,6 @@ class Contest {
         by_moved_(contender(*moved_, true)),
         by_afresh_(contender(afresh_)) {
     if (threads > 1) {
-      by_ours_.awaken = [this, threads] { awaken(pool_, threads); };
       alone_.emplace(trajectory, settings);
       by_alone_ = contender(*alone_);
     }
@@ -132,14 +147,7 @@ class Contest {
     std::vector<Contender*> all{&by_ours_, &by_all_, &by_moved_, &by_afresh_};
     if (by_alone_) all.push_back(&*by_alone_);
     for (Contender& world : by_worlds_) all.push_back(&world);
-    for (Contender* const one : all) {
-      if (one->prepare) one->prepare(moves);
-    }
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      Contender& one = *all[whose_turn(step, i, all.size())];
-      if (one.awaken) one.awaken();
-      one.ns.push_back(one.step(moves));
-    }
+    take_turns(all, moves, step);
   }
 
   const ScenePlayer& ours() const { return ours_; }
@@ -204,6 +212,7 @@ SceneRun run_scene(std::string_view name, const Trajectory& trajectory,
   run.certificates = settings.certificates;
   // Apart from what is timed: it would empty the caches.
   if (settings.recycled_motion == 0) run.afresh = check_afresh(trajectory, settings);
+  if (threads > 1) run.warm_speedup_over_alone = warm_speedup(trajectory, settings, threads);
   Contest contest(trajectory, settings, threads);
   for (std::size_t step = 0; step < run.steps; ++step) {
     contest.step(trajectory.steps[step], step);

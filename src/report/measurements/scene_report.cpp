@@ -67,6 +67,7 @@ Json row_json(const SceneRun& run, const BaselineRun& baseline) {
             {"speedup_over_box2d_moved", run.speedup_over_moved},
             {"speedup_over_afresh", run.over_afresh.speedup},
             {"speedup_over_one_thread", run.speedup_over_alone},
+            {"warm_speedup_over_one_thread", run.warm_speedup_over_alone},
             {"afresh_ns_per_step", run.over_afresh.ns_per_step},
             {"afresh_speedup_over_box2d", run.afresh_over_all},
             {"mismatches", nullptr},
@@ -206,8 +207,10 @@ std::string scene_table(const SceneResult& result) {
   }
   for (const SceneRun& run : result.runs) {
     if (run.threads == 1) continue;
-    text += fmt::format("{} of {} bodies: {} threads are {:.2f} times as fast as one\n", run.scene,
-                        run.bodies, run.threads, run.speedup_over_alone);
+    text += fmt::format(
+        "{} of {} bodies: {} threads are {:.2f} times as fast as one where no baseline steps "
+        "between, and {:.2f} where the baselines have emptied the caches\n",
+        run.scene, run.bodies, run.threads, run.warm_speedup_over_alone, run.speedup_over_alone);
   }
   text += worlds_table(result.runs);
   if (!result.curves.empty()) text += '\n' + curves_table(result.curves);

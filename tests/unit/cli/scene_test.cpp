@@ -90,6 +90,8 @@ TEST_CASE("scene runs steps on threads, whose contacts and counts are those of o
   const auto one = rows_on("1");
   const auto two = rows_on("2");
   CHECK(one.at("speedup_over_one_thread") == 1);
+  CHECK(one.at("warm_speedup_over_one_thread") == 1);
+  CHECK(two.at("warm_speedup_over_one_thread") > 0);
   CHECK(two.at("threads") == 2);
   CHECK(two.at("mismatches") == 0);
   for (const char* const key :

@@ -81,12 +81,35 @@ bool same_contacts(std::span<const scene::Contact> p, std::span<const scene::Con
 
 TEST_CASE("each task is run once, by any number of threads, call after call") {
   for (const std::size_t count : {1, 2, 5}) {
-    scene::Threads threads(count);
-    for (std::size_t tasks = 0; tasks < 40; ++tasks) {
-      std::vector<std::atomic<int>> runs(tasks);
-      threads(tasks, [&](std::size_t task) { ++runs[task]; });
-      CHECK(std::ranges::all_of(runs, [](const auto& n) { return n == 1; }));
+    for (const scene::Idle idle : {scene::Idle::sleep, scene::Idle::spin}) {
+      scene::Threads threads(count, idle);
+      for (std::size_t tasks = 0; tasks < 40; ++tasks) {
+        std::vector<std::atomic<int>> runs(tasks);
+        threads(tasks, [&](std::size_t task) { ++runs[task]; });
+        CHECK(std::ranges::all_of(runs, [](const auto& n) { return n == 1; }));
+      }
     }
+  }
+}
+
+TEST_CASE("the later of a body's two moves holds, whichever share of the moves ends between both") {
+  const auto backwards = [](std::size_t tasks, const std::function<void(std::size_t)>& task) {
+    for (std::size_t i = tasks; i-- > 0;) task(i);
+  };
+  constexpr std::uint32_t kBodies = 200;
+  for (std::uint32_t twice = 0; twice < kBodies; ++twice) {
+    Scene scene;
+    const auto dot = std::get<std::uint32_t>(scene.add_shape(test::shapes_for_scenes().front()));
+    std::vector<scene::Move> moves;
+    for (std::uint32_t i = 0; i < kBodies; ++i) {
+      const auto x = static_cast<float>(10 * i);
+      const auto body = std::get<BodyHandle>(scene.add(dot, {{x, 0}, {1, 0}}));
+      if (i == twice) moves.push_back({body, {{x, 2}, {1, 0}}});
+      moves.push_back({body, {{x, 1}, {1, 0}}});
+    }
+    const auto stepped = scene.step(moves, backwards);
+    REQUIRE(std::holds_alternative<scene::StepResult>(stepped));
+    CHECK(scene.pose(moves[twice].body).position.y() == 1);
   }
 }
 
