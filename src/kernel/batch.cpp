@@ -142,44 +142,56 @@ void collide_batch(const Shapes<double>& shapes, const PairBatch<double>& batch,
 
 namespace {
 
-/// `touched(manifold)` is asked of what stands where a pair's manifold goes.
-template <class Scalar, class Touched>
+template <class Scalar>
 void stream_pairs(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
-                  std::span<const BodyPair> pairs, Scalar tie_bias, std::span<Manifold<Scalar>> out,
-                  const Touched& touched) {
+                  std::span<const BodyPair> pairs, Scalar tie_bias,
+                  std::span<Manifold<Scalar>> out) {
   assert(out.size() >= pairs.size());
   PairStream<Scalar> stream(shapes, bodies, tie_bias);
-  for (std::size_t i = 0; i < pairs.size(); ++i) stream.push(pairs[i], out[i], touched(out[i]));
+  for (std::size_t i = 0; i < pairs.size(); ++i) stream.push(pairs[i], out[i]);
   stream.finish();
 }
 
-constexpr auto kUnknown = [](const auto&) { return false; };
-constexpr auto kHasPoints = [](const auto& manifold) { return manifold.count > 0; };
+template <class Scalar>
+void stream_pairs_again(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
+                        std::span<const BodyPair> pairs, Scalar tie_bias,
+                        std::span<Manifold<Scalar>> manifolds) {
+  assert(manifolds.size() >= pairs.size());
+  PairStream<Scalar> apart(shapes, bodies, tie_bias);
+  PairStream<Scalar> touching(shapes, bodies, tie_bias);
+  PairStream<Scalar>* const streams[] = {&apart, &touching};  // no branch depends on which
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const bool touched = manifolds[i].count > 0;
+    streams[static_cast<int>(touched)]->push(pairs[i], manifolds[i]);
+  }
+  apart.finish();
+  touching.finish();
+}
 
 }  // namespace
 
 void collide_pairs(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
                    std::span<const BodyPair> pairs, float tie_bias,
                    std::span<Manifold<float>> out) {
-  stream_pairs(shapes, bodies, pairs, tie_bias, out, kUnknown);
+  stream_pairs(shapes, bodies, pairs, tie_bias, out);
 }
 
 void collide_pairs(const Shapes<double>& shapes, std::span<const Placement<double>> bodies,
                    std::span<const BodyPair> pairs, double tie_bias,
                    std::span<Manifold<double>> out) {
-  stream_pairs(shapes, bodies, pairs, tie_bias, out, kUnknown);
+  stream_pairs(shapes, bodies, pairs, tie_bias, out);
 }
 
 void collide_pairs_again(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
                          std::span<const BodyPair> pairs, float tie_bias,
                          std::span<Manifold<float>> manifolds) {
-  stream_pairs(shapes, bodies, pairs, tie_bias, manifolds, kHasPoints);
+  stream_pairs_again(shapes, bodies, pairs, tie_bias, manifolds);
 }
 
 void collide_pairs_again(const Shapes<double>& shapes, std::span<const Placement<double>> bodies,
                          std::span<const BodyPair> pairs, double tie_bias,
                          std::span<Manifold<double>> manifolds) {
-  stream_pairs(shapes, bodies, pairs, tie_bias, manifolds, kHasPoints);
+  stream_pairs_again(shapes, bodies, pairs, tie_bias, manifolds);
 }
 
 }  // namespace manifuzz::kernel

@@ -31,12 +31,13 @@ void collide_pairs(const Shapes<double>& shapes, std::span<const Placement<doubl
                    std::span<Manifold<double>> out);
 
 /// `manifolds[i]`, which was the manifold of `pairs[i]` a step ago, becomes that of now, as
-/// `collide_pairs` gives it. Pairs that touched share batches, which takes less time and changes no
-/// manifold. At first, manifolds are empty.
+/// `collide_pairs` gives it. Pairs that touched share batches: where all pairs of a batch are
+/// apart, nothing is clipped. It changes no manifold. `manifolds` is as long as `pairs`, empty ones
+/// at first. Takes 170 KB of the stack, twice what `collide_pairs` does.
 void collide_pairs_again(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
                          std::span<const BodyPair> pairs, float tie_bias,
                          std::span<Manifold<float>> manifolds);
-/// Collides pairs of bodies in double once more.
+/// Collides pairs of bodies again in double.
 void collide_pairs_again(const Shapes<double>& shapes, std::span<const Placement<double>> bodies,
                          std::span<const BodyPair> pairs, double tie_bias,
                          std::span<Manifold<double>> manifolds);

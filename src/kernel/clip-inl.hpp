@@ -13,8 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace manifuzz::kernel::HWY_NAMESPACE {
 
-/// An edge of each lane's polygon, with what a contact needs of it. It is carried along while edges
-/// are compared: fetching it afterwards by each lane's own index would cost more than that.
+/// An edge of each lane's polygon, with what a contact needs of it.
 template <class D>
 struct LaneEdge {
   hn::Vec<DInt<D>> index;
@@ -128,7 +127,7 @@ HWY_INLINE hn::Mask<D> reference_is_b(D d, const LaneSearch<D>& found, hn::TFrom
   return hn::Gt(found.of[1], hn::Add(found.of[0], hn::Set(d, tie_bias)));
 }
 
-/// Fetches the reference. To carry it along while faces are compared takes as long where pairs
+/// Fetches the reference. To carry it along while faces are compared takes no less time where pairs
 /// touch, and is in vain where all are apart.
 template <class D>
 HWY_INLINE LaneFace<D> reference_face(const Strip<D>& s, const LaneSearch<D>& found,
@@ -144,8 +143,8 @@ HWY_INLINE LaneFace<D> reference_face(const Strip<D>& s, const LaneSearch<D>& fo
   return face;
 }
 
-/// The edge of each lane's incident polygon whose normal is most opposed, the first of equals;
-/// `of_both` becomes the product of both normals.
+/// The edge of each lane's incident polygon whose normal is most opposed, the first of equals: it
+/// is carried along while edges are compared. `of_both` becomes the product of both normals.
 template <class D>
 HWY_INLINE LaneEdge<D> incident_edge(D d, const Strip<D>& s, hn::Mask<D> incident_is_a,
                                      const Lanes2<D>& normal, hn::Vec<D>& of_both) {

@@ -4,17 +4,17 @@
 
 namespace manifuzz::kernel {
 
-/// Neighbours in the order of keys differ little in their counts: those of a kind share batches,
+/// Neighbours in the order of groups differ little in their counts: those of a kind share batches,
 /// the last of which is filled up with its last pair.
 template <class Scalar>
 void PairStream<Scalar>::finish() {
   std::array<PairBatch<Scalar>, kPairKinds> rests;
   std::array<int, kPairKinds> rest_sizes{};
-  for (unsigned key = 0; key < kKeys; ++key) {
-    PairBatch<Scalar>& batch = batches_[key];
-    const auto filled = next_[key] - batch.pair;
+  for (unsigned group = 0; group < kPairGroups; ++group) {
+    PairBatch<Scalar>& batch = batches_[group];
+    const auto filled = next_[group] - batch.pair;
     if (filled == 0) continue;
-    const PairKind kind = kind_of_group(key % kPairGroups);
+    const PairKind kind = kind_of_group(group);
     PairBatch<Scalar>& rest = rests[static_cast<unsigned>(kind)];
     int& size = rest_sizes[static_cast<unsigned>(kind)];
     rest.kind = kind;
@@ -25,7 +25,7 @@ void PairStream<Scalar>::finish() {
       collide_batch(shapes_, rest, tie_bias_);
       size = 0;
     }
-    next_[key] = batch.pair;
+    next_[group] = batch.pair;
   }
   for (unsigned kind = 0; kind < kPairKinds; ++kind) {
     PairBatch<Scalar>& rest = rests[kind];

@@ -4,9 +4,8 @@
 
 #include "kernel/packed.hpp"
 
-// Pairs as they are found, one after another. Each goes to the batch of its group, those that
-// touched to one and the others to another, and a full batch is collided: where all its pairs are
-// apart, nothing is clipped.
+// Pairs as they are found, one after another. Each goes to the batch of its group, and a full batch
+// is collided.
 
 namespace manifuzz::kernel {
 
@@ -41,13 +40,12 @@ class PairStream {
   PairStream(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
              Scalar tie_bias)
       : shapes_(shapes), bodies_(bodies), tie_bias_(tie_bias) {
-    for (unsigned key = 0; key < kKeys; ++key) next_[key] = batches_[key].pair;
+    for (unsigned group = 0; group < kPairGroups; ++group) next_[group] = batches_[group].pair;
   }
   PairStream(const PairStream&) = delete;  ///< it points into itself
 
   /// `out` becomes the manifold of the pair, as `collide_pairs` gives it, until `finish` returns.
-  /// Whether the pair touched a step ago, as far as is known, changes no manifold.
-  void push(const BodyPair& pair, Manifold<Scalar>& out, bool touched = false) {
+  void push(const BodyPair& pair, Manifold<Scalar>& out) {
     const Placement<Scalar>& a = bodies_[pair.a];
     const Placement<Scalar>& b = bodies_[pair.b];
     const unsigned group = shapes_.group(a.shape, b.shape);
@@ -57,12 +55,11 @@ class PairStream {
       __builtin_prefetch(&fetched.scalars[fetched.scalars.size() / 2]);
       return fetched.scalars.data();
     };
-    const unsigned key = group + (touched ? kPairGroups : 0);
-    PairBatch<Scalar>& batch = batches_[key];
-    auto* const next = next_[key]++;
+    PairBatch<Scalar>& batch = batches_[group];
+    auto* const next = next_[group]++;
     *next = {{&a, &b}, {corners(a), corners(b)}, &out};
     if (next < batch.pair + kBlockPairs - 1) return;
-    next_[key] = batch.pair;
+    next_[group] = batch.pair;
     batch.kind = kind_of_group(group);
     batch.count[0] = static_cast<int>(shapes_.count(a.shape));
     batch.count[1] = static_cast<int>(shapes_.count(b.shape));
@@ -73,13 +70,11 @@ class PairStream {
   void finish();
 
  private:
-  static constexpr unsigned kKeys = 2 * kPairGroups;  // pairs that touched come after the others
-
   const Shapes<Scalar>& shapes_;
   std::span<const Placement<Scalar>> bodies_;
   Scalar tie_bias_;
-  std::array<PairBatch<Scalar>, kKeys> batches_;               // most of them are never touched
-  std::array<typename PairBatch<Scalar>::Pair*, kKeys> next_;  // a batch's next column
+  std::array<PairBatch<Scalar>, kPairGroups> batches_;  // most of them are never touched
+  std::array<typename PairBatch<Scalar>::Pair*, kPairGroups> next_;  // a batch's next column
 };
 
 }  // namespace manifuzz::kernel

@@ -124,15 +124,16 @@ BodyHandle Scene::handle(const PartName& name) const {
 /// The first of all that is refused, whatever task finds it.
 CheckedMoves Scene::check(std::span<const Move> moves) const {
   std::array<CheckedMoves, kTasks> checked;
-  division_.divide(moves.size(), [&](const Share& share, std::size_t task) {
+  const std::size_t tasks = division_.tasks_for(moves.size());
+  division_.divide(moves.size(), tasks, [&](const Share& share, std::size_t task) {
     const std::size_t before = std::max<std::size_t>(share.first, 1) - 1;
     checked[task] = {find_refused(moves, share),
-                     do_ascend(moves.subspan(before, share.last - before))};
+                     tasks > 1 && do_ascend(moves.subspan(before, share.last - before))};
   });
-  CheckedMoves all;
-  for (const auto& [refused, ascend] : checked) {
+  CheckedMoves all{{}, true};
+  for (const auto& [refused, may_divide] : std::span(checked).first(tasks)) {
     if (!all.refused) all.refused = refused;
-    all.ascend = all.ascend && ascend;
+    all.may_divide = all.may_divide && may_divide;
   }
   return all;
 }

@@ -122,11 +122,11 @@ void Scene::forget_removed() {
   });
 }
 
-/// In tasks where no two moves are of one body, as ascending ones are not.
-void Scene::place(std::span<const Move> moves, bool ascend) {
+/// In tasks, or one after another.
+void Scene::place(std::span<const Move> moves, bool may_divide) {
   forget_removed();
   started_ = movers_.size();
-  if (!ascend || division_.tasks_for(moves.size()) == 1) {
+  if (!may_divide) {
     place(moves, movers_, unsure_);
     return count_movers(movers_.size());
   }
@@ -139,7 +139,7 @@ void Scene::place(std::span<const Move> moves, bool ascend) {
   for (const MoverWork& work : mover_works_) count += work.moved.size();
   count_movers(count);
   for (auto& [moved, unsure] : mover_works_) {
-    if (few_moved_) append(movers_, moved);  // of many, nobody asks who they are
+    if (few_moved_) append(movers_, moved);  // where many moved, nobody asks who did
     append(unsure_, unsure);
     clear_for(moved, body_count_);
     clear_for(unsure, body_count_);

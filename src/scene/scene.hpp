@@ -125,7 +125,7 @@ class Scene {
   void refilter(std::uint32_t body);
   template <class Act>
   void for_each_part(BodyHandle body, const Act& act) const;
-  void advance(std::span<const Move> moves, bool ascend);
+  void advance(std::span<const Move> moves, bool may_divide);
   void forget_pairs();
   void recall_bodies();
   CheckedMoves check(std::span<const Move> moves) const;
@@ -151,7 +151,7 @@ class Scene {
 
   void start_path(std::uint32_t body);
   void forget_removed();
-  void place(std::span<const Move> moves, bool ascend);
+  void place(std::span<const Move> moves, bool may_divide);
   void place(std::span<const Move> moves, std::vector<std::uint32_t>& moved,
              std::vector<Mover>& unsure);
   void count_movers(std::size_t movers);

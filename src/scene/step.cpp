@@ -9,13 +9,13 @@ namespace manifuzz::scene {
 std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
                                                   const Executor& executor) {
   division_.set_executor(executor);
-  const auto [refused, ascend] = check(moves);
+  const auto [refused, may_divide] = check(moves);
   if (refused) {
     division_.forget_executor();
     return *refused;
   }
   try {
-    advance(moves, ascend);
+    advance(moves, may_divide);
   } catch (...) {
     forget_pairs();
     throw;
@@ -24,14 +24,17 @@ std::variant<StepResult, RefusedMove> Scene::step(std::span<const Move> moves,
   return result();
 }
 
-void Scene::advance(std::span<const Move> moves, bool ascend) {
+void Scene::advance(std::span<const Move> moves, bool may_divide) {
   if (has_forgotten_) recall_bodies();
   began_.clear();
   ended_.erase(ended_.begin(), ended_.begin() + std::exchange(ended_reported_, 0));
   renumbered_.erase(renumbered_.begin(),
                     renumbered_.begin() + std::exchange(renumbered_reported_, 0));
   const std::span<const Move> of_parts = moves_of_parts(moves);
-  place(of_parts, assemblies_.empty() ? ascend : do_ascend(of_parts));
+  if (!assemblies_.empty()) {
+    may_divide = division_.tasks_for(of_parts.size()) > 1 && do_ascend(of_parts);
+  }
+  place(of_parts, may_divide);
   renew_boxes();
   look_at_candidates();
   begin_contacts();

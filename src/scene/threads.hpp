@@ -12,8 +12,8 @@ namespace manifuzz::scene {
 
 /// What threads do between calls that are far between.
 enum class Idle : std::uint8_t {
-  sleep,  ///< others have their cores, and to wake them takes time
-  spin    ///< they look for the next call, and keep their cores
+  sleep,  ///< to wake them takes time
+  spin    ///< they look for the next call all the time, unless others need their cores
 };
 
 /// An executor on threads of its own: give `std::ref` of one to `Scene::step`. One call at a time.

@@ -73,7 +73,8 @@ struct PairWork {
 /// What moves are found to be before any is made.
 struct CheckedMoves {
   std::optional<RefusedMove> refused;  ///< the first that is
-  bool ascend = true;                  ///< `do_ascend`
+  bool may_divide = false;             ///< whether they are made in tasks: there are enough, and
+                                       ///< they ascend, so that no two are of one body
 };
 
 /// What comes of the moves of some bodies.

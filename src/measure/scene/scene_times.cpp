@@ -1,9 +1,11 @@
 #include <chrono>
 #include <deque>
+#include <thread>
 
 #include "engines/asked_engines.hpp"
 #include "external/timed_world.hpp"
 #include "measure/scene/scene_run.hpp"
+#include "measure/scene/turns.hpp"
 
 namespace manifuzz {
 namespace {
@@ -79,17 +81,6 @@ Contender contender(WorldPlayer& player) {
           .prepare = [&player](Moves moves) { player.prepare(moves); }};
 }
 
-/// Whose turn it is, since whoever steps finds the caches as the one before has left them: in
-/// `count` steps each of so many has each turn once and follows each other once, or in twice as
-/// many each other twice, where they are odd (E. J. Williams, Australian Journal of Scientific
-/// Research, 1949).
-std::size_t whose_turn(std::size_t step, std::size_t turn, std::size_t count) {
-  const bool is_reversed = count % 2 == 1 && step / count % 2 == 1;
-  const std::size_t at = is_reversed ? count - 1 - turn : turn;
-  const std::size_t beside = at % 2 == 1 ? at / 2 + 1 : count - at / 2;
-  return (step + beside) % count;
-}
-
 /// One step of all, in the order of their turns.
 void take_turns(std::span<Contender* const> all, Moves moves, std::size_t step) {
   for (Contender* const one : all) {
@@ -101,11 +92,17 @@ void take_turns(std::span<Contender* const> all, Moves moves, std::size_t step) 
   }
 }
 
+/// Threads do not sleep while others step, if each has a core: to wake one takes a virtual machine
+/// a good part of a step, and its core's caches are no longer its own then.
+scene::Idle idle_of(std::size_t threads) {
+  return threads <= std::thread::hardware_concurrency() ? scene::Idle::spin : scene::Idle::sleep;
+}
+
 /// How many times as fast so many threads are as one where nobody else steps: what both need stays
-/// in the caches that cores share.
+/// in the caches that cores share, as far as it fits.
 double warm_speedup(const Trajectory& trajectory, const scene::Settings& settings,
                     std::size_t threads) {
-  scene::Threads pool(threads, scene::Idle::spin);
+  scene::Threads pool(threads, idle_of(threads));
   ScenePlayer together(trajectory, settings, std::ref(pool));
   ScenePlayer alone(trajectory, settings);
   Contender by_threads = contender(together);
@@ -117,12 +114,11 @@ double warm_speedup(const Trajectory& trajectory, const scene::Settings& setting
   return speedup(by_threads, by_one);
 }
 
-/// A scene and all that it is held against. Its threads do not sleep while others step: to wake one
-/// takes a virtual machine a good part of a step, and its core's caches are no longer its own then.
+/// A scene and all that it is held against.
 class Contest {
  public:
   Contest(const Trajectory& trajectory, const scene::Settings& settings, std::size_t threads)
-      : pool_(threads, scene::Idle::spin),
+      : pool_(threads, idle_of(threads)),
         ours_(trajectory, settings,
               threads > 1 ? scene::Executor(std::ref(pool_)) : scene::Executor()),
         all_(scene_engine().scenes.pairs(trajectory.bodies())),
