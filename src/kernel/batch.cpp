@@ -157,15 +157,11 @@ void stream_pairs_again(const Shapes<Scalar>& shapes, std::span<const Placement<
                         std::span<const BodyPair> pairs, Scalar tie_bias,
                         std::span<Manifold<Scalar>> manifolds) {
   assert(manifolds.size() >= pairs.size());
-  PairStream<Scalar> apart(shapes, bodies, tie_bias);
-  PairStream<Scalar> touching(shapes, bodies, tie_bias);
-  PairStream<Scalar>* const streams[] = {&apart, &touching};  // no branch depends on which
+  PairStream<Scalar, true> stream(shapes, bodies, tie_bias);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const bool touched = manifolds[i].count > 0;
-    streams[static_cast<int>(touched)]->push(pairs[i], manifolds[i]);
+    stream.push(pairs[i], manifolds[i], manifolds[i].count > 0);
   }
-  apart.finish();
-  touching.finish();
+  stream.finish();
 }
 
 }  // namespace

@@ -5,16 +5,16 @@
 namespace manifuzz::kernel {
 
 /// Neighbours in the order of groups differ little in their counts: those of a kind share batches,
-/// the last of which is filled up with its last pair.
-template <class Scalar>
-void PairStream<Scalar>::finish() {
+/// the last of which is filled up with its last pair. Pairs that touched come after all others.
+template <class Scalar, bool kIsTold>
+void PairStream<Scalar, kIsTold>::finish() {
   std::array<PairBatch<Scalar>, kPairKinds> rests;
   std::array<int, kPairKinds> rest_sizes{};
-  for (unsigned group = 0; group < kPairGroups; ++group) {
-    PairBatch<Scalar>& batch = batches_[group];
-    const auto filled = next_[group] - batch.pair;
+  for (unsigned key = 0; key < kKeys; ++key) {
+    PairBatch<Scalar>& batch = batches_[key];
+    const auto filled = next_[key] - batch.pair;
     if (filled == 0) continue;
-    const PairKind kind = kind_of_group(group);
+    const PairKind kind = kind_of_group(key % kPairGroups);
     PairBatch<Scalar>& rest = rests[static_cast<unsigned>(kind)];
     int& size = rest_sizes[static_cast<unsigned>(kind)];
     rest.kind = kind;
@@ -25,7 +25,7 @@ void PairStream<Scalar>::finish() {
       collide_batch(shapes_, rest, tie_bias_);
       size = 0;
     }
-    next_[group] = batch.pair;
+    next_[key] = batch.pair;
   }
   for (unsigned kind = 0; kind < kPairKinds; ++kind) {
     PairBatch<Scalar>& rest = rests[kind];
@@ -38,5 +38,7 @@ void PairStream<Scalar>::finish() {
 
 template class PairStream<float>;
 template class PairStream<double>;
+template class PairStream<float, true>;
+template class PairStream<double, true>;
 
 }  // namespace manifuzz::kernel

@@ -68,12 +68,14 @@ TEST_CASE("pairs are answered as they are pushed, a few or many before each fini
   Scene<float> scene = scene_of<float>(*find_regime("generic"));
   scene.expect(0);
   on_every_target([&] {
-    kernel::PairStream<float> stream(scene.shapes, scene.bodies, 0.0F);
+    kernel::PairStream<float, true> stream(scene.shapes, scene.bodies, 0.0F);
     std::size_t next = 0;
     std::size_t wrong = 0;
     for (const std::size_t count : {0, 1, 0, 5, 400, 597}) {
       std::vector<Manifold<float>> manifolds(count);
-      for (std::size_t i = 0; i < count; ++i) stream.push(scene.pairs[next + i], manifolds[i]);
+      for (std::size_t i = 0; i < count; ++i) {
+        stream.push(scene.pairs[next + i], manifolds[i], i % 3 == 0);
+      }
       stream.finish();
       for (std::size_t i = 0; i < count; ++i) wrong += manifolds[i] != scene.expected[next + i];
       next += count;
