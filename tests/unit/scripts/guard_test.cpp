@@ -28,6 +28,7 @@ Json stored(int clip, int others = kCounted) {
             {"pair", others},
             {"batch packed", others},
             {"batch indices", others},
+            {"batch+hint indices", others},
             {"campaign cases", others}}}};
 }
 
