@@ -85,6 +85,21 @@ clipping::PlacedPair<float> sliver_on_box(const Vector2<float>& position, float 
 
 }  // namespace
 
+TEST_CASE("a normal is rounded as if divided, where the reciprocal's roundings would show") {
+  const Vector2<float> apart[] = {{0x1.a4a838p+1F, 0x1.000e8cp+0F},
+                                  {0x1.d2c36ap+1F, 0x1.fe8108p+1F},
+                                  {0x1.bbdefp-2F, 0x1.12d1bcp+1F},
+                                  {0x1.d91eeap+1F, 0x1.05b2dp+1F},
+                                  {0x1.31ab58p-1F, 0x1.76a848p+0F}};
+  const std::vector<Vector2<float>> centre{{0, 0}};
+  const auto circle = make_polygon<float>(centre, 4, Rounding::round);
+  std::vector<clipping::PlacedPair<float>> placed;
+  for (const Vector2<float>& v : apart) {
+    placed.push_back({circle, circle, {{0, 0}, {1, 0}}, {v, {1, 0}}});
+  }
+  check<float>(placed, 0);
+}
+
 TEST_CASE("an edge that faces away from the nearest place gives no second point") {
   check<float>(
       {sliver_on_box({-10636710, 1517561}, 16384), sliver_on_box({-10643484, 1515942.5F}, 16384),
