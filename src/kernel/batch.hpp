@@ -31,9 +31,9 @@ void collide_pairs(const Shapes<double>& shapes, std::span<const Placement<doubl
                    std::span<Manifold<double>> out);
 
 /// `manifolds[i]`, which was the manifold of `pairs[i]` a step ago, becomes that of now, as
-/// `collide_pairs` gives it. Pairs that touched share batches: where all pairs of a batch are
-/// apart, nothing is clipped. It changes no manifold. `manifolds` is as long as `pairs`, empty ones
-/// at first. Takes 170 KB of the stack, twice what `collide_pairs` does.
+/// `collide_pairs` gives it. Pairs that touched share batches: where all pairs of one are apart,
+/// nothing is clipped. Which pairs share a batch changes no manifold. `manifolds` is as long as
+/// `pairs`, without points at first. Takes 170 KB of the stack, twice what `collide_pairs` does.
 void collide_pairs_again(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
                          std::span<const BodyPair> pairs, float tie_bias,
                          std::span<Manifold<float>> manifolds);

@@ -121,14 +121,16 @@ BodyHandle Scene::handle(const PartName& name) const {
   return assembly == assemblies_.end() ? name.body : assembly->second.parts[name.part].handle;
 }
 
-/// The first of all that is refused, whatever task finds it.
+/// Finds the first move of all that is refused, whatever task finds it, and whether they may be
+/// made in tasks.
 CheckedMoves Scene::check(std::span<const Move> moves) const {
   std::array<CheckedMoves, kTasks> checked;
   const std::size_t tasks = division_.tasks_for(moves.size());
   division_.divide(moves.size(), tasks, [&](const Share& share, std::size_t task) {
     const std::size_t before = std::max<std::size_t>(share.first, 1) - 1;
-    checked[task] = {find_refused(moves, share),
-                     tasks > 1 && do_ascend(moves.subspan(before, share.last - before))};
+    checked[task] = {
+        find_refused(moves, share),
+        tasks > 1 && assemblies_.empty() && do_ascend(moves.subspan(before, share.last - before))};
   });
   CheckedMoves all{{}, true};
   for (const auto& [refused, may_divide] : std::span(checked).first(tasks)) {

@@ -122,7 +122,7 @@ void Scene::forget_removed() {
   });
 }
 
-/// In tasks, or one after another.
+/// Puts bodies where they are now, in tasks or one after another, and counts those that moved.
 void Scene::place(std::span<const Move> moves, bool may_divide) {
   forget_removed();
   started_ = movers_.size();

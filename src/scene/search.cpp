@@ -63,8 +63,8 @@ void Scene::renew_boxes() {
   part_from_partners();
 }
 
-/// Where few moved, only their pairs are looked at. Each is found by going along a row, and rows
-/// are long where one body lies under all.
+/// Notes how many moved, and whether they are few: only their pairs are looked at then. Each is
+/// found by going along a row, and rows are long where one body lies under all.
 void Scene::count_movers(std::size_t movers) {
   constexpr std::size_t kShare = 16;
   counts_.moved = movers;

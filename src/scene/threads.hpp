@@ -10,7 +10,7 @@
 
 namespace manifuzz::scene {
 
-/// What threads do between calls that are far between.
+/// What threads do while they wait for long.
 enum class Idle : std::uint8_t {
   sleep,  ///< to wake them takes time
   spin    ///< they look for the next call all the time, unless others need their cores
@@ -82,7 +82,8 @@ class Threads {
       seen = calls_;
     }
   }
-  /// Until it has another value; what comes soon is not slept for, which takes longer than a task.
+  /// Waits until it has another value; what comes soon is not slept for, which takes longer than a
+  /// task.
   template <class T>
   void await(const std::atomic<T>& value, T old) const {
     for (int i = 0; i < kLooks && value == old; ++i) {

@@ -73,8 +73,9 @@ struct PairWork {
 /// What moves are found to be before any is made.
 struct CheckedMoves {
   std::optional<RefusedMove> refused;  ///< the first that is
-  bool may_divide = false;             ///< whether they are made in tasks: there are enough, and
-                                       ///< they ascend, so that no two are of one body
+  /// Whether they are made in tasks: there are enough, and they ascend, so that no two are of one
+  /// body. Where some bodies have several parts, that is found out of the parts' moves.
+  bool may_divide = false;
 };
 
 /// What comes of the moves of some bodies.

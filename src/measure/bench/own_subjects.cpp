@@ -147,7 +147,7 @@ Bodies<Scalar> bodies_of(std::span<const PairCase> pairs) {
   return held;
 }
 
-/// With the manifolds that the same pass left before, or none.
+/// From indices; if hinted, the manifolds of the pass before tell who touched.
 template <class Scalar>
 Pass indices_pass(std::span<const PairCase> pairs, bool hinted) {
   const auto held = std::make_shared<const Bodies<Scalar>>(bodies_of<Scalar>(pairs));
@@ -162,7 +162,7 @@ Pass indices_pass(std::span<const PairCase> pairs, bool hinted) {
   };
 }
 
-/// In the order of their groups, and those that touch behind the others, or mixed with them.
+/// Packed, sorted by group; if hinted, pairs that touch lie behind those that do not.
 template <class Scalar>
 Pass packed_pass(std::span<const PairCase> pairs, bool hinted) {
   Bodies<Scalar> held = bodies_of<Scalar>(pairs);

@@ -92,8 +92,9 @@ void take_turns(std::span<Contender* const> all, Moves moves, std::size_t step) 
   }
 }
 
-/// Threads do not sleep while others step, if each has a core: to wake one takes a virtual machine
-/// a good part of a step, and its core's caches are no longer its own then.
+/// Threads do not sleep while others step, if each has a core or a hardware thread of one: to wake
+/// one takes a virtual machine a good part of a step, and its core's caches are no longer its own
+/// then.
 scene::Idle idle_of(std::size_t threads) {
   return threads <= std::thread::hardware_concurrency() ? scene::Idle::spin : scene::Idle::sleep;
 }
