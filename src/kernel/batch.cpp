@@ -142,24 +142,15 @@ void collide_batch(const Shapes<double>& shapes, const PairBatch<double>& batch,
 
 namespace {
 
-template <class Scalar>
+/// A stream that is told takes it from what stands in `out` which pairs touched.
+template <bool kIsTold, class Scalar>
 void stream_pairs(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
                   std::span<const BodyPair> pairs, Scalar tie_bias,
                   std::span<Manifold<Scalar>> out) {
   assert(out.size() >= pairs.size());
-  PairStream<Scalar> stream(shapes, bodies, tie_bias);
-  for (std::size_t i = 0; i < pairs.size(); ++i) stream.push(pairs[i], out[i]);
-  stream.finish();
-}
-
-template <class Scalar>
-void stream_pairs_again(const Shapes<Scalar>& shapes, std::span<const Placement<Scalar>> bodies,
-                        std::span<const BodyPair> pairs, Scalar tie_bias,
-                        std::span<Manifold<Scalar>> manifolds) {
-  assert(manifolds.size() >= pairs.size());
-  PairStream<Scalar, true> stream(shapes, bodies, tie_bias);
+  PairStream<Scalar, kIsTold> stream(shapes, bodies, tie_bias);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    stream.push(pairs[i], manifolds[i], manifolds[i].count > 0);
+    stream.push(pairs[i], out[i], kIsTold && out[i].count > 0);
   }
   stream.finish();
 }
@@ -169,25 +160,25 @@ void stream_pairs_again(const Shapes<Scalar>& shapes, std::span<const Placement<
 void collide_pairs(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
                    std::span<const BodyPair> pairs, float tie_bias,
                    std::span<Manifold<float>> out) {
-  stream_pairs(shapes, bodies, pairs, tie_bias, out);
+  stream_pairs<false>(shapes, bodies, pairs, tie_bias, out);
 }
 
 void collide_pairs(const Shapes<double>& shapes, std::span<const Placement<double>> bodies,
                    std::span<const BodyPair> pairs, double tie_bias,
                    std::span<Manifold<double>> out) {
-  stream_pairs(shapes, bodies, pairs, tie_bias, out);
+  stream_pairs<false>(shapes, bodies, pairs, tie_bias, out);
 }
 
 void collide_pairs_again(const Shapes<float>& shapes, std::span<const Placement<float>> bodies,
                          std::span<const BodyPair> pairs, float tie_bias,
                          std::span<Manifold<float>> manifolds) {
-  stream_pairs_again(shapes, bodies, pairs, tie_bias, manifolds);
+  stream_pairs<true>(shapes, bodies, pairs, tie_bias, manifolds);
 }
 
 void collide_pairs_again(const Shapes<double>& shapes, std::span<const Placement<double>> bodies,
                          std::span<const BodyPair> pairs, double tie_bias,
                          std::span<Manifold<double>> manifolds) {
-  stream_pairs_again(shapes, bodies, pairs, tie_bias, manifolds);
+  stream_pairs<true>(shapes, bodies, pairs, tie_bias, manifolds);
 }
 
 }  // namespace manifuzz::kernel
