@@ -10,6 +10,7 @@
 #include "kernel/deepest_contact.hpp"
 #include "kernel/pair-inl.hpp"
 #include "kernel/pair.hpp"
+#include "kernel/pair_clip-inl.hpp"
 #include "kernel/round_pairs.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -142,7 +143,8 @@ HWY_INLINE int incident_edge(const ShapeRows& reference, int face, const ShapeRo
   return least(dots(incident, reference.normal_x[face], reference.normal_y[face])).face;
 }
 
-/// The manifold of polygons that no face separates.
+/// The manifold of polygons that no face separates. Nearly always an end is kept that is as deep as
+/// the overlap; where something overflows, signs say nothing, and the clean code decides.
 HWY_INLINE void clip_touching(const ShapeRows& a, const ShapeRows& placed, const Separations& s,
                               float tie_bias, Manifold<float>& manifold) {
   const float total_radius = a.radius + placed.radius;
@@ -157,10 +159,17 @@ HWY_INLINE void clip_touching(const ShapeRows& a, const ShapeRows& placed, const
   const float separation = chosen(take_b, s.of_a.value, s.of_b.value);
   const PairFeatures features{reference, incident, take_b, face, edge};
   const ClippedEdge clipped = clip_to_slab(features, total_radius);
-  const float deepest = keep_behind_face(features, clipped, total_radius, manifold);
+  const KeptEnds kept = keep_behind_face(features, clipped, total_radius, manifold);
+  const Ends d;
+  if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Eq(kept.sum, kept.sum)))) {
+    manifold = collide_cleanly(a, placed, tie_bias);
+    return;
+  }
+  const float depth = total_radius - separation;
+  if (HWY_LIKELY(!hn::AllFalse(d, hn::Ge(kept.depth, hn::Set(d, depth))))) return;
   if (tie_bias > 0 && manifold.count > 0) return;
-  const float missing = total_radius - separation - deepest;
-  if (HWY_LIKELY(!might_miss_deepest(features, missing, s.found.separation))) return;
+  const float missing = depth - hn::GetLane(hn::MaxOfLanes(d, kept.depth));
+  if (!might_miss_deepest(features, missing, s.found.separation)) return;
   manifold = with_deepest_contact(a, placed, manifold, separation, s.found.separation);
 }
 

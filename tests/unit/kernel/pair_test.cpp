@@ -8,6 +8,7 @@
 #include "clipping/collide.hpp"
 #include "generating/regime.hpp"
 #include "unit/kernel/every_target.hpp"
+#include "unit/kernel/pairs_scene.hpp"
 
 // One pair at a time against the clean code, bit for bit; and what a hint may not change.
 
@@ -85,6 +86,33 @@ TEST_CASE("pair equals clip bit for bit on every target, in every regime, whatev
       });
     }
   }
+}
+
+TEST_CASE("pair equals clip where offsets and depths overflow") {
+  const test::Scene<float> huge = test::overflowing_scene();
+  on_every_target([&] {
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < huge.pairs.size(); ++i) {
+      const auto& [a, b] = huge.pairs[i];
+      const auto b_in_a = relative_pose(huge.bodies[a].pose, huge.bodies[b].pose);
+      const Manifold<float> said = kernel::collide(kernel::rows_of(huge.polygons[a]),
+                                                   kernel::rows_of(huge.polygons[b]), b_in_a);
+      wrong += !test::is_right_where_finite(said, huge.expected[i]);
+    }
+    CHECK(wrong == 0);
+  });
+}
+
+TEST_CASE("a radius of -0 is no radius, where an edge ends on a side plane and on the face") {
+  std::vector<Vector2<float>> corners{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  auto square = make_polygon<float>(corners);
+  square.radius = -0.0F;
+  const Pose<float> above{{0, 2}, {1, 0}};
+  const Manifold<float> expected = clipping::collide(square, square, above);
+  CHECK(expected.count == 2);
+  on_every_target([&] {
+    CHECK(kernel::collide(kernel::rows_of(square), kernel::rows_of(square), above) == expected);
+  });
 }
 
 namespace {
