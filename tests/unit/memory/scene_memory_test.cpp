@@ -1,6 +1,6 @@
-#include <algorithm>
 #include <functional>
-#include <tuple>
+#include <map>
+#include <string>
 
 #include <catch2/catch.hpp>
 
@@ -8,6 +8,7 @@
 #include "scene/query.hpp"
 #include "scene/scene.hpp"
 #include "unit/memory/failing_allocations.hpp"
+#include "unit/memory/failing_calls.hpp"
 
 // Each allocation of each call of a scene fails once: what the header states holds, and the call
 // made again gives what it would have given.
@@ -15,101 +16,11 @@
 using namespace manifuzz;
 using scene::BodyHandle;
 using scene::Scene;
+using test::After;
+using test::check_every_failure;
+using test::Command;
 
 namespace {
-
-/// Two bodies that touch, and the bits of their manifold.
-using Touch = std::tuple<std::uint32_t, std::uint32_t, int, float, float, float, float>;
-using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
-std::vector<Touch> sorted(std::span<const scene::Contact> contacts) {
-  std::vector<Touch> touches;
-  for (const scene::Contact& contact : contacts) {
-    const Manifold<float>& m = contact.manifold;
-    touches.emplace_back(contact.a.index, contact.b.index, m.count, m.normal.x(), m.normal.y(),
-                         m.points[0].depth, m.points[0].position.x());
-  }
-  std::ranges::sort(touches);
-  return touches;
-}
-
-std::vector<Pair> began(const scene::StepResult& result) {
-  std::vector<Pair> pairs;
-  for (const std::uint32_t i : result.began) {
-    pairs.emplace_back(result.contacts[i].a.index, result.contacts[i].b.index);
-  }
-  std::ranges::sort(pairs);
-  return pairs;
-}
-
-std::vector<Pair> ended(const scene::StepResult& result) {
-  std::vector<Pair> pairs;
-  for (const scene::EndedContact& contact : result.ended) {
-    pairs.emplace_back(contact.a.index, contact.b.index);
-  }
-  std::ranges::sort(pairs);
-  return pairs;
-}
-
-enum class After { unchanged, forgotten };  ///< what a call that had no memory leaves
-
-struct Command {
-  const char* name;
-  After after;
-  std::function<void(Scene&)> run;
-};
-
-/// What holds after a call, and after a step that moves nobody.
-struct Outcome {
-  std::size_t bodies = 0;
-  std::vector<Touch> touches;
-  std::vector<Pair> began;
-  std::vector<Pair> ended;
-
-  friend bool operator==(const Outcome&, const Outcome&) = default;
-};
-
-Outcome outcome(Scene& scene) {
-  const auto stepped = scene.step({});
-  const auto& result = std::get<scene::StepResult>(stepped);
-  return {scene.body_count(), sorted(result.contacts), began(result), ended(result)};
-}
-
-/// The next step tells of all that touch as begun. Whether the moves were placed depends on where
-/// the memory ran out.
-void check_forgotten(Scene& scene, const Outcome& untouched, const Outcome& done) {
-  const Outcome found = outcome(scene);
-  CHECK((found.touches == done.touches || found.touches == untouched.touches));
-  CHECK(found.began.size() == found.touches.size());
-  CHECK(found.ended.empty());
-}
-
-/// Lets each allocation of a call fail, in a copy each; how many there were.
-std::size_t check_every_failure(const Scene& before, const Command& command) {
-  Scene right = before;
-  command.run(right);
-  const std::size_t bodies = right.body_count();
-  const Outcome expected = outcome(right);
-  Scene untouched = before;
-  const Outcome unchanged = outcome(untouched);
-  for (std::size_t after = 0;; ++after) {
-    INFO(command.name << ", allocation " << after);
-    Scene scene = before;
-    if (!test::runs_out(after, [&] { command.run(scene); })) return after;
-    Scene left = scene;
-    if (command.after == After::forgotten) {
-      check_forgotten(left, unchanged, expected);
-      command.run(scene);
-      CHECK(outcome(scene).touches == expected.touches);
-    } else {
-      CHECK(scene.body_count() == before.body_count());
-      CHECK(outcome(left) == unchanged);
-      command.run(scene);
-      CHECK(scene.body_count() == bodies);
-      CHECK(outcome(scene) == expected);
-    }
-  }
-}
 
 /// A crowd of every kind of shape, and calls on it, drawn.
 class Crowd {
@@ -221,11 +132,16 @@ TEST_CASE("a scene whose memory runs out anywhere is right again with the next c
   }
 }
 
+namespace {
+
+/// Runs tasks on the caller's thread, from the last to the first.
+void backwards(std::size_t count, const std::function<void(std::size_t)>& task) {
+  for (std::size_t i = count; i-- > 0;) task(i);
+}
+
+}  // namespace
+
 TEST_CASE("a scene whose memory runs out in a task is right again with the next step") {
-  const scene::Executor executor = [](std::size_t count,
-                                      const std::function<void(std::size_t)>& task) {
-    for (std::size_t i = count; i-- > 0;) task(i);
-  };
   Crowd crowd(4);
   for (int i = 0; i < 100; ++i) crowd.run({"add", After::unchanged, crowd.draw().run});
   std::vector<BodyHandle> bodies;
@@ -239,8 +155,27 @@ TEST_CASE("a scene whose memory runs out in a task is right again with the next 
     moves.push_back({body, pose});
   }
   const Command step{"step in tasks", After::forgotten,
-                     [&](Scene& in) { in.step(moves, executor); }};
+                     [&](Scene& in) { in.step(moves, backwards); }};
   CHECK(check_every_failure(crowd.scene, step) > 8);
+}
+
+TEST_CASE("a scene whose memory runs out in a task of its first step is right with the next") {
+  Scene scene;
+  const Vector2<float> centre[] = {{0, 0}};
+  const auto ball = std::get<std::uint32_t>(scene.add_shape(make_polygon<float>(centre, 0.5F)));
+  const std::vector<scene::BodyPart> parts{{ball, {{0, 0}, {1, 0}}}, {ball, {{2, 0}, {1, 0}}}};
+  for (int i = 0; i < 150; ++i) {
+    const Pose<float> pose{{0.75F * static_cast<float>(i % 13), static_cast<float>(i / 13)},
+                           {1, 0}};
+    if (i % 5 == 0) {
+      scene.add(parts, pose);
+    } else {
+      scene.add(ball, pose);
+    }
+  }
+  const Command step{"first step in tasks", After::forgotten,
+                     [](Scene& in) { in.step({}, backwards); }};
+  CHECK(check_every_failure(scene, step) > 8);
 }
 
 TEST_CASE("a question for which there is no memory changes nothing") {
