@@ -50,7 +50,7 @@ Bucket bucket_of_lost(Ending ending, Fault at_work) {
 
 Judgement judge_in_child(const PairCase& pair, const Collider& subject, const Collider& oracle,
                          Interruption& interruption) {
-  // Those in a process of their own are asked from here, where they run already.
+  // Colliders in a process of their own are asked from here, where they run already.
   const auto asked_here = [&](const Collider& collider) {
     return collider.is_isolated() ? std::optional(ask_isolated(collider, pair, interruption))
                                   : std::nullopt;

@@ -104,7 +104,7 @@ std::string objection_to_frequency(const Acceptance& acceptance, const BucketTal
   return fmt::format("more frequent than is accepted in {}", fmt::join(regimes, ", "));
 }
 
-/// Of a plan's colliders.
+/// A bucket's key where the colliders are a plan's.
 std::string key_in_plan(const Bucket& bucket, const Plan& plan) {
   return key_of(to_string(bucket), plan.subject.declaration.name, plan.oracle.declaration.name);
 }

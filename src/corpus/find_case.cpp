@@ -70,7 +70,7 @@ std::string bucket_of(const CorpusCase& known) {
   return known.expect ? known.expect->bucket : "";
 }
 
-/// Those that match; the worst ones, which lie beside their shrunk forms, only where no other does.
+/// Files that match; the worst ones, which lie beside their shrunk forms, only where no other does.
 template <class Matches>
 CaseList matching(const std::vector<CorpusCase>& corpus, const Matches& matches) {
   CaseList shrunk;

@@ -94,7 +94,7 @@ void add_plain_round_cases(std::vector<PairCase>& made) {
   }
 }
 
-/// Those of round pairs, the simplest first.
+/// Plain cases of round pairs, the simplest first.
 const std::vector<PairCase>& plain_round_cases() {
   static const std::vector<PairCase> cases = [] {
     std::vector<PairCase> made;
@@ -104,7 +104,7 @@ const std::vector<PairCase>& plain_round_cases() {
   return cases;
 }
 
-/// Those of polygons; where a case has radii, those with some too.
+/// Plain cases of polygons; where a case has radii, those with some too.
 const std::vector<PairCase>& plain_polygon_cases(bool has_radii) {
   static const std::vector<PairCase> without_radii = [] {
     std::vector<PairCase> made;

@@ -214,7 +214,7 @@ std::vector<float> numbers_of(const Sequence& sequence) {
 }
 
 SequenceComplexity complexity(const Sequence& sequence) {
-  // Those of the shapes count once: they stand in the first frame's.
+  // Numbers of the shapes count once: they stand in the first frame's.
   const Complexity shapes = complexity(PairCase{{sequence.a, {}}, {sequence.b, {}}});
   SequenceComplexity result{sequence.frames.size(), complexity(sequence.at(0))};
   Complexity& sum = result.of_numbers;

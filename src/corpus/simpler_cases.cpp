@@ -19,7 +19,7 @@ void remove_vertex(ConvexPolygon<float>& polygon, int vertex) {
   --polygon.count;
 }
 
-/// Of round pairs down to capsules, segments and circles.
+/// From round pairs down to capsules, segments and circles.
 Cases without_a_vertex(const PairCase& pair) {
   const int count_a = pair.a.polygon.count;
   return each_case(count_a + pair.b.polygon.count, [pair, count_a](int i) -> MaybeCase {
@@ -129,7 +129,7 @@ PairCase turned_by_quarter(PairCase pair) {
   return pair;
 }
 
-/// The same case in other words: swapped, mirrored, turned, its vertices counted from elsewhere.
+/// A case in other words: swapped, mirrored, turned, its vertices counted from elsewhere.
 /// Which of them still fail alike is for the predicate to say.
 Cases symmetric_images(const PairCase& pair) {
   std::vector<PairCase> images;
@@ -224,7 +224,7 @@ PairCase without_negative_zeros(PairCase pair) {
 
 namespace {
 
-/// Those of the proposals that are valid and simpler than the pair.
+/// The proposals that are valid and simpler than the pair.
 Cases simpler_of(Cases proposals, const PairCase& pair) {
   const Complexity limit = complexity(pair);
   return rc::seq::mapMaybe(std::move(proposals), [limit](const PairCase& proposal) {

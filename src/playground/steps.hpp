@@ -30,7 +30,7 @@ struct SideClip {
 /// What each step gives. Places, directions and the manifold are in A's frame; lengths are A's own.
 struct Steps {
   Way way = Way::apart;
-  /// Of each of A's faces, and of each of B's; of a circle none.
+  /// For each of A's faces, and each of B's; for a circle none.
   std::array<std::vector<clipping::FaceSeparation<double>>, 2> separations;
   /// The face of each side's greatest; of a circle none.
   std::array<std::optional<int>, 2> greatest;

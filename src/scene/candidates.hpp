@@ -70,7 +70,7 @@ class Candidate {
     assert((contact & kTouches) == 0);
     known_ = kTouches | contact;
   }
-  /// Of bodies that do not touch, as `apart_until` has it.
+  /// Where bodies do not touch, as `apart_until` has it.
   std::uint32_t known() const { return known_; }
   void know(std::uint32_t known) { known_ = known; }
 

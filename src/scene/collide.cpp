@@ -163,7 +163,7 @@ void Scene::collide_apart(PairWork& work) {
   apart.count = 0;
 }
 
-/// Of two bodies that the kernel finds to have no contact: what its gap proves (certificates.md).
+/// Where the kernel finds two bodies to have no contact: what its gap proves (certificates.md).
 void Scene::prove_apart(const kernel::BodyPair& bodies, const Manifold<float>& none,
                         std::uint32_t place, PairWork& work) {
   const auto& [position, depth, features] = none.points[0];

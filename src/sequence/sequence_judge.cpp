@@ -35,7 +35,7 @@ Verdict verdict_of(Lost::How how) {
   return verdicts[static_cast<std::size_t>(how)];
 }
 
-/// Of a frame in which nothing is to be judged.
+/// What is said of a frame in which nothing is to be judged.
 std::optional<Bucket> bucket_without_points(const Keeping& keeping,
                                             std::span<const KeptAnswer> answers,
                                             std::size_t frame) {

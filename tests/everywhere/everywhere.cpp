@@ -98,7 +98,7 @@ void hash_batches(std::string_view what, const Regime& regime, std::span<const P
   print(what, regime.name, hash.value());
 }
 
-/// Of each case what the judge makes of two colliders, one of which is often wrong.
+/// For each case what the judge makes of two colliders, one of which is often wrong.
 void hash_verdicts(const Regime& regime, std::span<const PairCase> cases) {
   const Collider subject = make_clip();
   const Collider oracle = make_gjk_shrunk();

@@ -109,7 +109,7 @@ TEST_CASE("the least of the flattened directions, which are not unit") {
   CHECK_FALSE(is_it(squares_side_by_side(), manifold_of({1, 0}, 0.31)));
   CHECK_FALSE(is_it(squares_side_by_side(), manifold_of({0.425323, 0.309011}, depth)));
   CHECK_FALSE(is_it(squares_side_by_side(), none()));
-  // Of deeper ones the displaced shapes still overlap, and there is no answer.
+  // Where they are deeper, the displaced shapes still overlap, and there is no answer.
   const PairCase deep{square_of_two(0, 0), square_of_two(0.5F, 0.25F)};
   CHECK(is_it(deep, none()));
   CHECK_FALSE(is_it(deep, manifold_of({1, 0}, 0.4)));

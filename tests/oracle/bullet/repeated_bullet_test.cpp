@@ -111,7 +111,7 @@ TEST_CASE("a normal between rounded places is explained where that of EPA's face
   CHECK(is_it(far, normal, -answer.distance));
   CHECK_FALSE(is_it(far, {1, 0.01}, -answer.distance));
   CHECK_FALSE(is_it(far, normal, 0.01 - answer.distance));
-  // Of concentric circles EPA's own face is wrong.
+  // Where circles are concentric, EPA's own face is wrong.
   const PairCase circles{circle_of_half(0, 0), circle_of_half(0, 0)};
   const BulletAnswer of_circles = ask_detector(prisms_of(circles), solve_by_epa, &trace, 1e18F);
   CHECK_FALSE(

@@ -32,7 +32,7 @@ TEST_CASE("of an edge's sides jbox2d tries the one towards the centroid") {
   CHECK(is_it(pair, one_point({1, 0}, corner, 0.32)));
   CHECK_FALSE(is_it(pair, one_point({1, 0}, corner, 0.33)));
   CHECK_FALSE(is_it(pair, one_point({0, 1}, corner, 0.32)));
-  // Of this one the centroid is on the nearer side, too.
+  // This one's centroid is on the nearer side, too.
   pair.b.pose.position.x() = -0.1F;
   CHECK_FALSE(is_it(pair, one_point({1, 0}, corner, 0.42)));
 }
@@ -185,7 +185,7 @@ TEST_CASE("a short capsule's direction is that of rounded ends in p2") {
   Manifold<double> turned = got;
   turned.normal = rotate<double>({std::cos(1e-3), std::sin(1e-3)}, got.normal);
   CHECK_FALSE(is_it(pair, turned));
-  // Of a long one ends are as good.
+  // A long one's ends are as good.
   PairCase longer = pair;
   longer.b.polygon.vertices[1] = {-0.20140F, -0.58790F};
   CHECK_FALSE(is_it(longer, got));

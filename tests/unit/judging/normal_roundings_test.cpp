@@ -58,7 +58,7 @@ class Effects {
     for (const double most : most_) sum += most;
     return sum;
   }
-  /// Of independent roundings, each anywhere between its bounds alike.
+  /// From independent roundings, each anywhere between its bounds alike.
   double variance() const {
     double sum = 0;
     for (const double most : most_) sum += most * most / 3;

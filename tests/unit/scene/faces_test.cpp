@@ -95,7 +95,7 @@ FacedPairs any_pairs(std::uint64_t seed) {
   return some;
 }
 
-/// Of pairs without contact, the candidates name the face that the kernel does.
+/// Where pairs have no contact, the candidates name the face that the kernel does.
 void name_faces(FacedPairs& pairs) {
   const auto manifolds = pairs.collided();
   for (std::size_t i = 0; i < manifolds.size(); ++i) {

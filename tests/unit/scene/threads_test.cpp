@@ -27,7 +27,7 @@ struct Divided : test::OwnScene {
   }
 };
 
-/// Of how many parts the bodies of a scene are.
+/// How many parts the bodies of a scene have.
 enum class Built { of_one_part, of_one_and_of_two };
 
 /// Many bodies of all shapes that drift, a share of them fast enough to leave their boxes, all of
