@@ -98,7 +98,6 @@ HWY_INLINE EndLanes is_behind(EndLanes offset0, EndLanes offset1) {
 HWY_INLINE ClippedEdge clip_to_slab(const EndLanes2& whole, const EndLanes2& inward,
                                     const EndLanes2& corner, EndLanes margin, EndInts end_features,
                                     EndInts crossing_features) {
-  const Ends d;
   const DInt<Ends> di;
   const EndLanes offset = hn::Add(dot<Ends>(inward, subtract<Ends>(whole, corner)), margin);
   const EndLanes offset0 = hn::DupEven(offset);
