@@ -32,7 +32,7 @@ Manifold<float> with_deepest_contact(const ShapeRows& a, const ShapeRows& b,
                                      const Manifold<float>& manifold, float separation,
                                      float greatest);
 
-/// `clipping::collide_in_frame`, for the target without vectors.
+/// `clipping::collide_in_frame`: for the target without vectors, and where signs do not tell.
 Manifold<float> collide_cleanly(const ShapeRows& a, const ShapeRows& b, float tie_bias);
 
 }  // namespace manifuzz::kernel

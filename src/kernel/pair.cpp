@@ -126,28 +126,20 @@ HWY_INLINE void clear(Manifold<float>& manifold) {
   }
 }
 
-/// Whether `clipping::misses_deepest` might say so: it is asked where the roundoff of two corners
-/// alone, no more than that of all of them, does not explain what is missing.
-HWY_INLINE bool might_miss_deepest(const PairFeatures& f, float missing, float greatest) {
-  const auto reach_of = [](const ShapeRows& shape, int corner) {
-    return std::abs(shape.x[corner]) + std::abs(shape.y[corner]);
-  };
-  const float reach = reach_of(f.reference, f.face) + reach_of(f.incident, f.edge);
-  constexpr float u = std::numeric_limits<float>::epsilon() / 2;
-  const float lacking = std::min(missing, -greatest);
-  return lacking > 4 * u * reach;
-}
-
 /// The edge of `incident` whose normal is most opposed to that of the reference face.
 HWY_INLINE int incident_edge(const ShapeRows& reference, int face, const ShapeRows& incident) {
   return least(dots(incident, reference.normal_x[face], reference.normal_y[face])).face;
 }
 
 /// The manifold of polygons that no face separates. Nearly always an end is kept that is as deep as
-/// the overlap; where something overflows, signs say nothing, and the clean code decides.
+/// the overlap.
 HWY_INLINE void clip_touching(const ShapeRows& a, const ShapeRows& placed, const Separations& s,
                               float tie_bias, Manifold<float>& manifold) {
   const float total_radius = a.radius + placed.radius;
+  if (HWY_UNLIKELY(!do_signs_tell(total_radius))) {
+    manifold = collide_cleanly(a, placed, tie_bias);
+    return;
+  }
   const bool take_b = s.of_b.value > s.of_a.value + tie_bias;
   const ShapeRows* const polygons[2] = {&a, &placed};
   const ShapeRows& reference = *polygons[take_b];
@@ -161,7 +153,7 @@ HWY_INLINE void clip_touching(const ShapeRows& a, const ShapeRows& placed, const
   const ClippedEdge clipped = clip_to_slab(features, total_radius);
   const KeptEnds kept = keep_behind_face(features, clipped, total_radius, manifold);
   const Ends d;
-  if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Eq(kept.sum, kept.sum)))) {
+  if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Eq(kept.sum, kept.sum)))) {  // it is not a number
     manifold = collide_cleanly(a, placed, tie_bias);
     return;
   }

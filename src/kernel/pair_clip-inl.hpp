@@ -8,6 +8,8 @@
 #define MANIFUZZ_KERNEL_PAIR_CLIP_INL
 #endif
 
+#include <bit>
+#include <cmath>
 #include <limits>
 
 #include "geometry/manifold.hpp"
@@ -66,8 +68,16 @@ constexpr int next(int k, int count) {
   return (k + 1) & -static_cast<int>(k + 1 < count);
 }
 
-/// Every bit of the lanes whose number is below 0; none may be -0. A comparison takes five times as
-/// long where it is made into a mask's register and has to come back.
+/// Whether signs tell where ends are: no offset and no depth is -0. A total radius of -0 may make
+/// one. Where numbers below 2^-126 are taken for zero, so may a small one: a length and a radius of
+/// 2^-102 or more differ by nothing, or by 2^-126 at least.
+inline bool do_signs_tell(float total_radius) {
+  return total_radius >= 0x1p-102F || std::bit_cast<std::int32_t>(total_radius) == 0;
+}
+
+/// Every bit of the lanes whose number is below 0; it must not be -0, and of what is no number the
+/// answer means nothing. Where comparisons are made into mask registers (AVX-512), they take five
+/// times as long, to and fro.
 HWY_INLINE EndLanes below_zero(EndLanes v) {
   return hn::BitCast(Ends(), hn::BroadcastSignBit(hn::BitCast(DInt<Ends>(), v)));
 }
@@ -85,7 +95,7 @@ struct ClippedEdge {
   EndLanes offset;  ///< of the whole edge's ends from both planes
 };
 
-/// Every bit where neither offset is above 0 and one is below it; none may be -0.
+/// Every bit where neither offset is above 0 and one is below it; likewise.
 HWY_INLINE EndLanes is_behind(EndLanes offset0, EndLanes offset1) {
   const DInt<Ends> di;
   const EndInts greater = hn::BitCast(di, hn::Max(offset0, offset1));
@@ -162,7 +172,7 @@ HWY_INLINE ClippedEdge clip_to_slab(const PairFeatures& f, float total_radius) {
 /// The ends that are kept behind the face.
 struct KeptEnds {
   EndLanes depth;  ///< lanes 0, 1 and again 2, 3; negative infinity where an end is not kept
-  EndLanes sum;    ///< of offsets and depths: no number where one of them overflows
+  EndLanes sum;    ///< of offsets and depths: not a number where one of them is not
 };
 
 /// Writes the manifold of the ends behind the face.
@@ -200,6 +210,18 @@ HWY_INLINE KeptEnds keep_behind_face(const PairFeatures& f, const ClippedEdge& e
   const EndLanes none = hn::Set(d, -std::numeric_limits<float>::infinity());
   const EndLanes kept_depth = hn::IfVecThenElse(lost, none, depth);
   return {hn::ConcatLowerLower(d, kept_depth, kept_depth), hn::Add(edge.offset, depth)};
+}
+
+/// Whether `clipping::misses_deepest` might say so: it is asked where the roundoff of two corners
+/// alone, no more than that of all of them, does not explain what is missing.
+HWY_INLINE bool might_miss_deepest(const PairFeatures& f, float missing, float greatest) {
+  const auto reach_of = [](const ShapeRows& shape, int corner) {
+    return std::abs(shape.x[corner]) + std::abs(shape.y[corner]);
+  };
+  const float reach = reach_of(f.reference, f.face) + reach_of(f.incident, f.edge);
+  constexpr float u = std::numeric_limits<float>::epsilon() / 2;
+  const float lacking = std::min(missing, -greatest);
+  return lacking > 4 * u * reach;
 }
 
 }  // namespace manifuzz::kernel::HWY_NAMESPACE

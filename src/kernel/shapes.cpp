@@ -50,7 +50,7 @@ ShapeRows rows_of(const ConvexPolygon<float>& polygon) {
     rows.normal_y[i] = polygon.normals[at].y();
   }
   rows.count = polygon.count;
-  rows.radius = polygon.radius + 0;  // -0 becomes 0
+  rows.radius = polygon.radius;
   rows.rounding = polygon.rounding;
   return rows;
 }

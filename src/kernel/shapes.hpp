@@ -79,15 +79,15 @@ class Shapes {
 
 /// A shape as one pair at a time takes it: a row for each coordinate, so that a vector holds a
 /// coordinate of every face. The places past the last corner repeat the first, which changes no
-/// result: of equals, the first counts. A row of floats fills 32 bytes, and no shape half a cache
-/// line with nothing.
+/// result: of equals, the first counts. Aligned as one row is: aligned to 64, each shape would end
+/// in 32 bytes of nothing.
 struct alignas(32) ShapeRows {
   float x[kMaxVertices];                ///< of each vertex
   float y[kMaxVertices];                ///< of each vertex
   float normal_x[kMaxVertices];         ///< of each face
   float normal_y[kMaxVertices];         ///< of each face
   int count = 0;                        ///< of vertices
-  float radius = 0;                     ///< a length, >= 0, and not -0: signs are read
+  float radius = 0;                     ///< a length, >= 0
   Rounding rounding = Rounding::mitre;  ///< of corners
 };
 

@@ -150,13 +150,31 @@ TEST_CASE("round shapes that do not touch have the gap that is between them") {
 }
 
 TEST_CASE("where separations overflow, face 0 stands in, as in the clean code") {
-  const Scene<float> huge = overflowing_scene();
+  const Scene<float> scene = scene_of<float>(*find_regime("generic"));
+  Scene<float> huge;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    ConvexPolygon<float> polygon = scene.polygons[i];
+    float reach = 0;
+    for (const auto& v : polygon.corners()) reach = std::max(reach, v.cwiseAbs().maxCoeff());
+    for (int k = 0; k < polygon.count; ++k) polygon.vertices[k] *= 3e38F / reach;
+    huge.add(polygon, {{0, 0}, scene.bodies[i].pose.rotation});
+  }
+  huge.pairs = scene.pairs;
+  huge.expect(0);
+  const auto is_finite = [](const Manifold<float>& m) {
+    bool finite = true;
+    for (int k = 0; k < m.count; ++k) {
+      finite = finite && m.points[k].position.allFinite() && std::isfinite(m.points[k].depth);
+    }
+    return finite;
+  };
   on_every_target([&] {
     std::vector<Manifold<float>> manifolds(huge.pairs.size());
     kernel::collide_pairs(huge.shapes, huge.bodies, huge.pairs, 0.0F, manifolds);
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < manifolds.size(); ++i) {
-      wrong += !is_right_where_finite(manifolds[i], huge.expected[i]);
+      const Manifold<float>& right = huge.expected[i];
+      wrong += is_finite(right) ? manifolds[i] != right : manifolds[i].count != right.count;
     }
     CHECK(wrong == 0);
   });

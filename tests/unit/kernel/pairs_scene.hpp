@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -70,33 +68,6 @@ std::size_t wrong_from_indices(const Scene<Scalar>& scene, Scalar tie_bias) {
   std::vector<Manifold<Scalar>> manifolds(scene.pairs.size());
   kernel::collide_pairs(scene.shapes, scene.bodies, scene.pairs, tie_bias, manifolds);
   return wrong_among(scene, manifolds);
-}
-
-/// Pairs whose coordinates are as large as floats can be: separations and offsets overflow.
-inline Scene<float> overflowing_scene() {
-  const Scene<float> scene = scene_of<float>(*find_regime("generic"));
-  Scene<float> huge;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    ConvexPolygon<float> polygon = scene.polygons[i];
-    float reach = 0;
-    for (const auto& v : polygon.corners()) reach = std::max(reach, v.cwiseAbs().maxCoeff());
-    for (int k = 0; k < polygon.count; ++k) polygon.vertices[k] *= 3e38F / reach;
-    huge.add(polygon, {{0, 0}, scene.bodies[i].pose.rotation});
-  }
-  huge.pairs = scene.pairs;
-  huge.expect(0);
-  return huge;
-}
-
-/// Whether a manifold is right; where the right one is not finite, whether it has as many points.
-inline bool is_right_where_finite(const Manifold<float>& said, const Manifold<float>& right) {
-  for (int k = 0; k < right.count; ++k) {
-    const auto& point = right.points[k];
-    if (!point.position.allFinite() || !std::isfinite(point.depth)) {
-      return said.count == right.count;
-    }
-  }
-  return said == right;
 }
 
 }  // namespace manifuzz::test

@@ -108,8 +108,8 @@ TEST_CASE("each task is run once, by any number of threads, call after call") {
 
 namespace {
 
-/// Whether the later of a body's two moves holds, and all other moves, where this body is the one
-/// that moves twice. Tasks run from the last to the first.
+/// Whether the later of a body's two moves holds, and all other moves, where body `twice` moves
+/// twice. Tasks run from the last to the first.
 bool later_move_holds(std::uint32_t twice, Built built) {
   const auto backwards = [](std::size_t tasks, const std::function<void(std::size_t)>& task) {
     for (std::size_t i = tasks; i-- > 0;) task(i);
