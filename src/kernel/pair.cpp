@@ -136,10 +136,6 @@ HWY_INLINE int incident_edge(const ShapeRows& reference, int face, const ShapeRo
 HWY_INLINE void clip_touching(const ShapeRows& a, const ShapeRows& placed, const Separations& s,
                               float tie_bias, Manifold<float>& manifold) {
   const float total_radius = a.radius + placed.radius;
-  if (HWY_UNLIKELY(!do_signs_tell(total_radius))) {
-    manifold = collide_cleanly(a, placed, tie_bias);
-    return;
-  }
   const bool take_b = s.of_b.value > s.of_a.value + tie_bias;
   const ShapeRows* const polygons[2] = {&a, &placed};
   const ShapeRows& reference = *polygons[take_b];
@@ -152,11 +148,11 @@ HWY_INLINE void clip_touching(const ShapeRows& a, const ShapeRows& placed, const
   const PairFeatures features{reference, incident, take_b, face, edge};
   const ClippedEdge clipped = clip_to_slab(features, total_radius);
   const KeptEnds kept = keep_behind_face(features, clipped, total_radius, manifold);
-  const Ends d;
-  if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Eq(kept.sum, kept.sum)))) {  // it is not a number
+  if (HWY_UNLIKELY(!do_signs_tell(kept, total_radius))) {
     manifold = collide_cleanly(a, placed, tie_bias);
     return;
   }
+  const Ends d;
   const float depth = total_radius - separation;
   if (HWY_LIKELY(!hn::AllFalse(d, hn::Ge(kept.depth, hn::Set(d, depth))))) return;
   if (tie_bias > 0 && manifold.count > 0) return;

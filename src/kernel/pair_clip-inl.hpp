@@ -68,16 +68,8 @@ constexpr int next(int k, int count) {
   return (k + 1) & -static_cast<int>(k + 1 < count);
 }
 
-/// Whether signs tell where ends are: no offset and no depth is -0. A total radius of -0 may make
-/// one. Where numbers below 2^-126 are taken for zero, so may a small one: a length and a radius of
-/// 2^-102 or more differ by nothing, or by 2^-126 at least.
-inline bool do_signs_tell(float total_radius) {
-  return total_radius >= 0x1p-102F || std::bit_cast<std::int32_t>(total_radius) == 0;
-}
-
-/// Every bit of the lanes whose number is below 0; it must not be -0, and of what is no number the
-/// answer means nothing. Where comparisons are made into mask registers (AVX-512), they take five
-/// times as long, to and fro.
+/// Every bit of the lanes whose number is below 0, where `do_signs_tell`. Where comparisons are
+/// made into mask registers (AVX-512), they take five times as long, to and fro.
 HWY_INLINE EndLanes below_zero(EndLanes v) {
   return hn::BitCast(Ends(), hn::BroadcastSignBit(hn::BitCast(DInt<Ends>(), v)));
 }
@@ -95,7 +87,8 @@ struct ClippedEdge {
   EndLanes offset;  ///< of the whole edge's ends from both planes
 };
 
-/// Every bit where neither offset is above 0 and one is below it; likewise.
+/// Every bit of the lanes where neither offset is above 0 and one is below it, where
+/// `do_signs_tell`.
 HWY_INLINE EndLanes is_behind(EndLanes offset0, EndLanes offset1) {
   const DInt<Ends> di;
   const EndInts greater = hn::BitCast(di, hn::Max(offset0, offset1));
@@ -174,6 +167,15 @@ struct KeptEnds {
   EndLanes depth;  ///< lanes 0, 1 and again 2, 3; negative infinity where an end is not kept
   EndLanes sum;    ///< of offsets and depths: not a number where one of them is not
 };
+
+/// Whether the signs by which ends were kept tell where they are: each offset and each depth is a
+/// number, and none is -0. A total radius of -0 may make one. Where numbers below 2^-126 are taken
+/// for zero, so may a small one: a length and a radius of 2^-102 or more differ by nothing, or by
+/// 2^-126 at least.
+HWY_INLINE bool do_signs_tell(const KeptEnds& kept, float total_radius) {
+  return (total_radius >= 0x1p-102F || std::bit_cast<std::int32_t>(total_radius) == 0) &&
+         hn::AllTrue(Ends(), hn::Eq(kept.sum, kept.sum));
+}
 
 /// Writes the manifold of the ends behind the face.
 HWY_INLINE KeptEnds keep_behind_face(const PairFeatures& f, const ClippedEdge& edge,

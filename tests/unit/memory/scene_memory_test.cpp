@@ -9,6 +9,7 @@
 #include "scene/scene.hpp"
 #include "unit/memory/failing_allocations.hpp"
 #include "unit/memory/failing_calls.hpp"
+#include "unit/scene/backwards.hpp"
 
 // Each allocation of each call of a scene fails once: what the header states holds, and the call
 // made again gives what it would have given.
@@ -17,6 +18,7 @@ using namespace manifuzz;
 using scene::BodyHandle;
 using scene::Scene;
 using test::After;
+using test::backwards;
 using test::check_every_failure;
 using test::Command;
 
@@ -131,15 +133,6 @@ TEST_CASE("a scene whose memory runs out anywhere is right again with the next c
     CHECK(count > 0);
   }
 }
-
-namespace {
-
-/// Runs tasks on the caller's thread, from the last to the first.
-void backwards(std::size_t count, const std::function<void(std::size_t)>& task) {
-  for (std::size_t i = count; i-- > 0;) task(i);
-}
-
-}  // namespace
 
 TEST_CASE("a scene whose memory runs out in a task is right again with the next step") {
   Crowd crowd(4);
